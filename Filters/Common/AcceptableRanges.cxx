@@ -38,33 +38,39 @@ vtkSmartPointer<vtkStringArray> MakePresetNames(const char* first)
 }
 
 //------------------------------------------------------------------------------
-std::vector<Preset::Rule> ReadRangesFile(const std::string& path, Reducer& reducer)
+std::vector<Preset::Rule> ReadRanges(
+  const std::string& lines, const std::string& path, Reducer& reducer)
 {
-  const std::string text = ReadSmallFile(path, "a file of ranges", reducer);
-  ScanError error;
-  std::vector<Preset::Rule> rules =
-    ParseRanges(GetFileName(path), text.data(), text.data() + text.size(), error);
-  if (error)
+  std::vector<Preset::Rule> rules;
+  const auto parse = [&](const std::string& name, const std::string& text)
   {
-    throw std::runtime_error(error.Message);
+    ScanError error;
+    const auto parsed = ParseRanges(name, text.data(), text.data() + text.size(), error);
+    if (error)
+    {
+      throw std::runtime_error(error.Message);
+    }
+    rules.insert(rules.end(), parsed.begin(), parsed.end());
+  };
+  parse("Ranges", lines);
+  if (!path.empty())
+  {
+    parse(GetFileName(path), ReadSmallFile(path, "a file of ranges", reducer));
   }
   return rules;
 }
 
 //------------------------------------------------------------------------------
 AcceptableRanges::AcceptableRanges(
-  const std::string& name, const std::string& file, Reducer& reducer)
-  : IsDefault(file.empty() && name == GetDefaultRangesName())
+  const std::string& name, const std::string& file, Reducer& reducer, const std::string& lines)
+  : IsDefault(lines.empty() && file.empty() && name == GetDefaultRangesName())
 {
   const Preset* preset = FindPreset(name);
   if (!preset && name != GetDefaultRangesName())
   {
     throw std::invalid_argument("there is no preset named '" + name + "'");
   }
-  if (!file.empty())
-  {
-    this->Rules = ReadRangesFile(file, reducer);
-  }
+  this->Rules = ReadRanges(lines, file, reducer);
   if (preset)
   {
     this->Rules.insert(this->Rules.end(), preset->Rules.begin(), preset->Rules.end());

@@ -51,16 +51,18 @@ class AcceptableRanges
 {
 public:
   /**
-   * Collective. A criterion has the range in the file, else that of the preset, else that of the
-   * table of criteria.
+   * Collective. A criterion has the range in the lines, else in the file, else that of the preset,
+   * else that of the table of criteria.
    *
    * @param preset name of a preset or GetDefaultRangesName()
    * @param file path of a file of ranges (RangesFile.h); empty: none. Process 0 reads it for all.
+   * @param lines lines as of such a file, the same on all processes
    *
    * Throws std::invalid_argument for an unknown preset and std::runtime_error for a file that
-   * cannot be read, on all processes.
+   * cannot be read and for invalid lines, on all processes.
    */
-  AcceptableRanges(const std::string& preset, const std::string& file, Reducer& reducer);
+  AcceptableRanges(const std::string& preset, const std::string& file, Reducer& reducer,
+    const std::string& lines = {});
 
   /**
    * The range of a criterion in @a unit, the unit of the values: ranges of angles are converted if
@@ -69,12 +71,12 @@ public:
    */
   std::optional<AcceptableRange> Find(const std::string& criterion, const std::string& unit) const;
 
-  /// Whether the file or the preset has a range for the criterion. With the default ranges and
-  /// without a file: whether the criterion exists.
+  /// Whether the lines, the file or the preset have a range for the criterion. With the default
+  /// ranges only: whether the criterion exists.
   bool HasRule(const std::string& criterion) const;
 
   /// Whether the range of the criterion is only a hint, not a requirement of its source. Ranges of
-  /// a file of the user are never hints.
+  /// the user are never hints.
   bool IsHint(const Criterion& criterion) const;
 
 private:
@@ -88,9 +90,10 @@ private:
 /// to all cells that have a value.
 unsigned GetJudgedShapes(const Criterion& criterion);
 
-/// Collective. The rules of a file of ranges. Throws std::runtime_error on all processes if it
-/// cannot be read.
-std::vector<Preset::Rule> ReadRangesFile(const std::string& path, Reducer& reducer);
+/// Collective. The rules in lines of ranges, and in a file of ranges unless its path is empty.
+/// Throws std::runtime_error on all processes for invalid lines and for a file that cannot be read.
+std::vector<Preset::Rule> ReadRanges(
+  const std::string& lines, const std::string& path, Reducer& reducer);
 
 /// The bad end of the criterion's range. None if the criterion is unknown, or if neither small nor
 /// large values are worse. A one-sided acceptable range has a bad end: volumes must be above 0.

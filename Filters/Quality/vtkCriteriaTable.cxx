@@ -247,6 +247,7 @@ void vtkCriteriaTable::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "RangesFile: " << this->RangesFile << '\n';
+  os << indent << "Ranges: " << this->Ranges << '\n';
 }
 
 //------------------------------------------------------------------------------
@@ -273,17 +274,14 @@ int vtkCriteriaTable::RequestData(
   ListCriteria(criteria, isRoot ? camaron::GetCriteria() : std::vector<camaron::Criterion>());
   ListRules(rules, isRoot ? camaron::GetPresets() : std::vector<camaron::Preset>());
   std::vector<camaron::Preset::Rule> ranges;
-  if (!this->RangesFile.empty())
+  try
   {
-    try
-    {
-      ranges = camaron::ReadRangesFile(this->RangesFile, reducer);
-    }
-    catch (const std::exception& error)
-    {
-      vtkErrorMacro("" << error.what() << '.');
-      return 0;
-    }
+    ranges = camaron::ReadRanges(this->Ranges, this->RangesFile, reducer);
+  }
+  catch (const std::exception& error)
+  {
+    vtkErrorMacro("" << error.what() << '.');
+    return 0;
   }
   ListRanges(
     vtkTable::GetData(outputVector, 2), isRoot ? ranges : std::vector<camaron::Preset::Rule>());

@@ -15,7 +15,7 @@
  * cells outside the range)
  * 1. rules of the presets: "Preset", "Description", "Criterion", "AcceptableLow", "AcceptableHigh",
  *    "AcceptableIsHint", "AcceptableFor", "Rule" (a line for vtkCheckQuality; empty without limits)
- * 2. ranges of RangesFile: "Criterion", "AcceptableLow", "AcceptableHigh"
+ * 2. ranges of Ranges and RangesFile: "Criterion", "AcceptableLow", "AcceptableHigh"
  * 3. arrays of vtkMeshElements: "Element" ("Face", "Edge" or "Vertex"), the columns of output 0
  * (the range of values is infinite where it is unknown), "Cells" (dimension of the cells that the
  * mesh must have: "2D", "3D" or both), "IsDefault"
@@ -42,6 +42,12 @@ public:
   vtkGetCharFromStdStringMacro(RangesFile);
   ///@}
 
+  ///@{
+  /// Lines as of RangesFile, which come first in output 2. Default: empty.
+  vtkSetStdStringFromCharMacro(Ranges);
+  vtkGetCharFromStdStringMacro(Ranges);
+  ///@}
+
 protected:
   vtkCriteriaTable();
   ~vtkCriteriaTable() override = default;
@@ -54,6 +60,7 @@ private:
   void operator=(const vtkCriteriaTable&) = delete;
 
   std::string RangesFile;
+  std::string Ranges;
 };
 
 #endif

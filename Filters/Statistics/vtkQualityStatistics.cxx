@@ -140,6 +140,7 @@ void vtkQualityStatistics::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "CurvePoints: " << this->CurvePoints << '\n';
   os << indent << "CurveValues: " << this->CurveValues.size() << '\n';
   os << indent << "BinEdges: " << this->BinEdges.size() << '\n';
+  os << indent << "Ranges: " << this->Ranges << '\n';
   os << indent << "WeightArray: " << this->WeightArray << '\n';
   os << indent << "Quantiles (%):";
   for (const double percent : this->Quantiles)
@@ -278,7 +279,7 @@ void vtkQualityStatistics::AddRows(
   const Settings settings = this->CheckSettings();
   vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
   camaron::ControllerReducer reducer;
-  const camaron::AcceptableRanges ranges(this->Preset, this->RangesFile, reducer);
+  const camaron::AcceptableRanges ranges(this->Preset, this->RangesFile, reducer, this->Ranges);
   const bool isRoot = reducer.GetProcess() == 0;
   camaron::ElementBlocks blocks(input, reducer, settings.Kind);
   camaron::Grouping groups(this->GroupBy, this->GroupArray, blocks, reducer);

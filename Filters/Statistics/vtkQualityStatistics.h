@@ -50,6 +50,12 @@ public:
   ///@}
 
   ///@{
+  /// Lines as of RangesFile, which take precedence over it. Default: empty.
+  vtkSetStdStringFromCharMacro(Ranges);
+  vtkGetCharFromStdStringMacro(Ranges);
+  ///@}
+
+  ///@{
   /**
    * One-component cell array with weights of the cells, such as Volume. Adds the columns "Weight",
    * "WeightedMean" and "Bad<name>Fraction", the fraction of the weight outside the acceptable
@@ -181,6 +187,7 @@ private:
   Settings CheckSettings() const;
 
   std::string ElementType = "Cells";
+  std::string Ranges;
   bool Moments = true;
   bool OnlySelected = false;
   std::string SelectionArray = "Selected";

@@ -13,7 +13,13 @@ from .inspection import inspect
 
 
 def write_report(
-    mesh: int, port: int, criteria: list[str], rules: list[str], tolerate: str, folder: str
+    mesh: int,
+    port: int,
+    criteria: list[str],
+    ranges: list[str],
+    rules: list[str],
+    tolerate: str,
+    folder: str,
 ) -> None:
     """Writes the report about an output of the proxy with a global id; see `inspect`. The reason of
     a failure goes to the standard error, which the window reads."""
@@ -24,6 +30,7 @@ def write_report(
             proxy[port],
             folder,
             criteria=criteria or None,
+            ranges=ranges or None,
             rules=rules or None,
             tolerate=tolerate or None,
             with_mesh=False,

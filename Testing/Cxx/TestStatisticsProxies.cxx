@@ -84,6 +84,7 @@ TEST(QualityStatisticsProxy, AgreesWithClass)
   EXPECT_EQ(ReadDefault(proxy, "CurvePoints"), std::to_string(filter->GetCurvePoints()));
   EXPECT_TRUE(filter->GetCurveValues().empty());
   EXPECT_EQ(ReadDefault(proxy, "GroupBy"), filter->GetGroupBy());
+  EXPECT_EQ(ReadDefault(proxy, "Ranges"), filter->GetRanges());
   EXPECT_EQ(ReadDefault(proxy, "WeightArray"), filter->GetWeightArray());
   EXPECT_EQ(ReadDefault(proxy, "NumberOfBins"), std::to_string(filter->GetNumberOfBins()));
   EXPECT_EQ(ReadDefault(proxy, "HistogramRange"), filter->GetHistogramRange());

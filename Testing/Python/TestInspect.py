@@ -379,6 +379,13 @@ class TestInspect(camaron_testing.TestCase):
             self.assertGreater(angle["below"], 0)
             self.assertEqual(criteria["Volume"]["acceptable"], [None, None])
             self.assertEqual(criteria["MinVolumeRatio"]["acceptable"], [0.01, None])
+        in_lines = self.inspect(BALL, preset=preset, ranges=path.read_text().splitlines())
+        self.assertEqual(in_lines["ranges"], path.read_text().splitlines())
+        for entry in in_lines["criteria"]:
+            known = criteria[entry["name"]]
+            if known["acceptable_source"] == "solver.txt":
+                known["acceptable_source"] = "set by the user"
+            self.assertEqual(entry, known)
         named = self.inspect(BALL, criteria=["Volume"], ranges=path)
         self.assertEqual([c["name"] for c in named["criteria"]], ["Volume"])
 
@@ -412,6 +419,8 @@ class TestInspect(camaron_testing.TestCase):
         self.assertFalse(folder.exists())
         with self.assertRaisesRegex(RuntimeError, "nowhere"):
             self.inspect(BALL, ranges=self.folder / "nowhere")
+        with self.assertRaisesRegex(RuntimeError, "Ranges:2: .*expected the upper limit"):
+            self.inspect(BALL, ranges=["Volume 0 *", "MinSolidAngle 0.5"])
         pipe = self.folder / "pipe"
         os.mkfifo(pipe)
         for special in (pipe, "/dev/zero"):

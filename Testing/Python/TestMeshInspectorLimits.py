@@ -2,8 +2,15 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """In ParaView's window: limits that are typed, and meshes of more cells than the Mesh Inspector reads by itself."""
 
+import html
 import json
+import re
+import shlex
+import shutil
+import sys
 import unittest
+
+import camaron_testing
 
 from inspection_testing import read_picture
 from window_testing import (
@@ -37,6 +44,14 @@ proxy = simple.GetActiveSource().SMProxy
 names = ("Range", "LowerLimit", "UpperLimit")
 with open(PATH, "w") as file:
     file.write(" ".join(proxy.GetProperty(name).GetElement(0) or "-" for name in names))
+"""
+
+#: Evaluates a preset by its own name, as in the Properties panel.
+PRESET = """
+from paraview import simple
+quality = next(s for s in simple.GetSources().values() if s.GetXMLName() == "ElementQuality")
+quality.Preset = "General"
+quality.UpdatePipeline()
 """
 
 #: Writes the color map of the mesh.
@@ -135,6 +150,61 @@ class TestMeshInspectorLimits(WindowTestCase):
         values = json.loads(points.read_text())[::4]
         step = values.index(40)
         self.assertLess(values[step] - values[step - 1], 1e-3)
+
+    def test_report(self):
+        """A report has one set of ranges, those of the panel: the findings, tables and groups, and the command
+        of a finding selects as many cells. The range of faces is a rule only. A preset of Element Quality does not judge. The
+        trace writes the same report."""
+        report, trace = self.folder / "report", self.folder / "trace.py"
+        elements = card("Criteria", "Elements")
+        upper = card("Histogram", "Limits/Upper")
+        save = [
+            event(card("Report", "ReportFolder"), "set_string", str(report)),
+            event(card("Report", "SaveReport"), "activate"),
+        ]
+        events = [
+            *start(),
+            event(LOWER, "set_string", "30"),
+            event(LOWER, "key", RETURN),
+            event(card("Histogram", "Criterion"), "set_string", "Volume"),
+            event(upper, "set_string", "0.001"),
+            event(upper, "key", RETURN),
+            event(elements, "set_string", "Faces"),
+            event(card("Criteria", "Tree"), "setTreeItemCheckState", "4,0,2"),
+            event(card("Criteria", "Evaluate"), "activate"),
+            event(card("Histogram", "Criterion"), "set_string", "Non-orthogonality"),
+            event(upper, "set_string", "20"),
+            event(upper, "key", RETURN),
+            event(elements, "set_string", "Cells"),
+            *open_card("Report"),
+        ]
+        preset = self.script("preset", PRESET)
+        self.play(*self.traced(trace, *events, *preset, *save))
+        summary = json.loads((report / "summary.json").read_text("utf-8"))
+        criteria = {c["name"]: c for c in summary["criteria"]}
+        checks = {c["criterion"]: c for c in summary["checks"]}
+        self.assertEqual(checks.keys(), {"MinDihedralAngle", "Volume", "NonOrthogonality"})
+        self.assertEqual(
+            summary["ranges"], ["MinDihedralAngle 30 *", f"Volume {sys.float_info.min!r} 0.001"]
+        )
+        self.assertIsNone(summary["preset"])
+        self.assertEqual(criteria["MinDihedralAngle"]["acceptable"], [30, None])
+        self.assertEqual(criteria["MaxDihedralAngle"]["acceptable"], [None, 165])
+        page = (report / "report.html").read_text("utf-8")
+        commands = re.findall(r"<code>(camaron select .*? -o cells.csv)</code>", page)
+        for name in ("MinDihedralAngle", "Volume"):
+            failing = checks[name]["failing"]
+            self.assertGreater(failing, 0)
+            self.assertEqual(criteria[name]["out_of_range"], failing)
+            self.assertEqual(sum(g["out_of_range"] for g in criteria[name]["groups"]), failing)
+            (command,) = (c for c in commands if f"Array={name}" in c)
+            words = shlex.split(html.unescape(command))
+            done = camaron_testing.run_command(*words[1:-2], cwd=report)
+            self.assertIn(f"By criterion: {failing} cells", done.stdout)
+        shutil.rmtree(report)
+        self.replay(trace, "")
+        again = json.loads((report / "summary.json").read_text("utf-8"))
+        self.assertEqual(again["criteria"], summary["criteria"])
 
     def test_large_mesh(self):
         """Cards ask before they read all cells, once for these cells and all steps of selection."""

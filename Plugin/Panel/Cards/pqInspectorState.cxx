@@ -68,6 +68,15 @@ QString SpellRule(
 }
 
 //------------------------------------------------------------------------------
+// A line of a file of ranges.
+QString SpellRange(const QString& criterion, const QPair<double, double>& limits)
+{
+  const auto spell = [](double limit)
+  { return std::isfinite(limit) ? camaron::ExactNumber(limit) : QString("*"); };
+  return QStringList{ criterion, spell(limits.first), spell(limits.second) }.join(' ');
+}
+
+//------------------------------------------------------------------------------
 // What is no property of a proxy, undone and redone together with those of the same change.
 class OtherChange : public vtkSMUndoElement
 {
@@ -281,10 +290,11 @@ QString pqInspectorState::rule() const
 }
 
 //------------------------------------------------------------------------------
-camaron::CheckRequest pqInspectorState::rulesOfReport() const
+camaron::ReportRequest pqInspectorState::reportRequest() const
 {
-  camaron::CheckRequest request = this->Checked;
-  QStringList lines = request.Rules.split('\n', Qt::SkipEmptyParts), known;
+  camaron::ReportRequest request;
+  request.Rules = this->Checked;
+  QStringList lines = this->Checked.Rules.split('\n', Qt::SkipEmptyParts), known;
   for (const QString& line : std::as_const(lines))
   {
     known << line.section('#', 0, 0).simplified(); // the same rule twice is an error
@@ -295,14 +305,20 @@ camaron::CheckRequest pqInspectorState::rulesOfReport() const
   {
     const QString criterion = item.key().section('/', 1);
     const QString element = item.key().section('/', 0, 0);
-    const QString line = item.value() && IsCriterion(*this->Services.Questions, element, criterion)
-      ? SpellRule(criterion, *item.value(), element)
-      : QString();
+    if (!item.value() || !IsCriterion(*this->Services.Questions, element, criterion))
+    {
+      continue;
+    }
+    const QString line = SpellRule(criterion, *item.value(), element);
     if (!line.isEmpty() && !known.contains(line))
     {
       lines << line;
     }
+    if (element == "Cell")
+    {
+      request.Ranges << SpellRange(criterion, *item.value());
+    }
   }
-  request.Rules = lines.join('\n');
+  request.Rules.Rules = lines.join('\n');
   return request;
 }

@@ -67,10 +67,10 @@ public:
   QString rule() const;
 
   ///@{
-  /// The rules that a report is about: those of the last check, then the ranges that the
-  /// user dragged.
+  /// What a report is about: the rules of the last check, then the ranges that the user has set,
+  /// as rules and, those of cells, as the acceptable ranges.
   void setChecked(const camaron::CheckRequest& rules) { this->Checked = rules; }
-  camaron::CheckRequest rulesOfReport() const;
+  camaron::ReportRequest reportRequest() const;
   ///@}
 
   /// Adds a line to the rules of the Check card.

@@ -68,7 +68,7 @@ pqReportCard::pqReportCard(pqInspectorState* state, QWidget* parent)
   this->Save->setObjectName("SaveReport");
   this->Save->setToolTip(
     tr("Writes an HTML page with statistics, histograms, worst cells, pictures, "
-       "and the verdicts on the rules of Check and the ranges that you dragged; "
+       "and the verdicts on the rules of Check and the ranges that you set; "
        "and the same numbers as JSON and CSV"));
   QObject::connect(this->Folder, &QLineEdit::returnPressed, this, &pqReportCard::saveReport);
   QObject::connect(this->Save, &QPushButton::clicked, this, &pqReportCard::saveReport);
@@ -164,7 +164,7 @@ void pqReportCard::saveReport()
   const QString typed = this->Folder->text().trimmed();
   const QString folder = usual.dir().absoluteFilePath(typed.isEmpty() ? usual.fileName() : typed);
   const pqScopedOverrideCursor waiting(Qt::WaitCursor);
-  const QString error = this->filters()->saveReport(folder, this->state()->rulesOfReport());
+  const QString error = this->filters()->saveReport(folder, this->state()->reportRequest());
   const QString path = QDir(folder).filePath("report.html");
   camaron::ShowText(this->Message,
     error.isEmpty()

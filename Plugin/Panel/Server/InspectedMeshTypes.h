@@ -143,6 +143,14 @@ struct CheckRequest
   QMap<QString, QVariant> Options;
 };
 
+/// What a report is about, besides the mesh.
+struct ReportRequest
+{
+  CheckRequest Rules;
+  QStringList
+    Ranges; ///< that the user has set: lines of a file of ranges (Core/Criteria/RangesFile.h)
+};
+
 struct CheckResult
 {
   PanelTable Verdicts; ///< as output 0 of Check Quality

@@ -45,18 +45,20 @@ bool CanWriteReport()
 
 //------------------------------------------------------------------------------
 QString WriteReport(vtkSMProxy* mesh, int port, const QStringList& criteria,
-  const CheckRequest& rules, const QString& folder)
+  const ReportRequest& request, const QString& folder)
 {
 #if CAMARON_HAS_PYTHON
   vtkPythonInterpreter::Initialize();
   vtkNew<vtkPythonInterpreter> interpreter;
   const ErrorMessages errors(interpreter);
+  const CheckRequest& rules = request.Rules;
   const QStringList lines = rules.Rules.isEmpty() ? QStringList() : rules.Rules.split('\n');
   const QString code = QString("from camaron import window\n"
-                               "window.write_report(%1, %2, %3, %4, %5, %6)\n")
+                               "window.write_report(%1, %2, %3, %4, %5, %6, %7)\n")
                          .arg(mesh->GetGlobalID())
                          .arg(port)
-                         .arg(Quote(criteria), Quote(lines), Quote(rules.Tolerate), Quote(folder));
+                         .arg(Quote(criteria), Quote(request.Ranges), Quote(lines),
+                           Quote(rules.Tolerate), Quote(folder));
   const int status = vtkPythonInterpreter::RunSimpleString(code.toUtf8().constData());
   const QString error = errors.first();
   if (error.contains("No module named 'camaron'"))
@@ -71,7 +73,7 @@ QString WriteReport(vtkSMProxy* mesh, int port, const QStringList& criteria,
   Q_UNUSED(mesh);
   Q_UNUSED(port);
   Q_UNUSED(criteria);
-  Q_UNUSED(rules);
+  Q_UNUSED(request);
   return QCoreApplication::translate("PythonReport", "%1: this ParaView has no Python.")
     .arg(folder);
 #endif

@@ -20,11 +20,12 @@ bool CanWriteReport();
 
 /**
  * Runs the Python package: it writes report.html, summary.json and worst.csv to a folder of this
- * computer, about these criteria, or those of the mesh if it is an Element Quality, with the
- * verdicts on rules if there are any. Returns an error, empty if written.
+ * computer, about these criteria, or those of the mesh if it is an Element Quality, judged by the
+ * ranges of the request, with the verdicts on its rules if there are any. Returns an error, empty
+ * if written.
  */
 QString WriteReport(vtkSMProxy* mesh, int port, const QStringList& criteria,
-  const CheckRequest& rules, const QString& folder);
+  const ReportRequest& request, const QString& folder);
 }
 
 #endif

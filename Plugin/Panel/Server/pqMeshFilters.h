@@ -73,9 +73,9 @@ public:
   /// Writes an output with the server's writer for the extension of a path; returns an error.
   QString write(vtkSMSourceProxy* source, int port, const QString& path) const;
 
-  /// Writes the report of `camaron inspect`, with verdicts on rules, to a folder of this computer,
-  /// which needs Python. Returns an error, empty if written.
-  QString saveReport(const QString& folder, const camaron::CheckRequest& rules) const;
+  /// Writes the report of `camaron inspect` to a folder of this computer, which needs Python.
+  /// Returns an error, empty if written.
+  QString saveReport(const QString& folder, const camaron::ReportRequest& request) const;
   bool canSaveReport() const;
 
   /// Where a report is written unless the user gives a folder: beside the mesh, or at home.

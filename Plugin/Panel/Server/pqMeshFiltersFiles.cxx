@@ -80,50 +80,45 @@ vtkSmartPointer<vtkSMSourceProxy> MakeWriter(
 //------------------------------------------------------------------------------
 // Arguments that are empty are left out.
 void TraceReport(const pqOutputPort* mesh, const QStringList& criteria,
-  const camaron::CheckRequest& rules, const QString& folder)
+  const camaron::ReportRequest& request, const QString& folder)
 {
   if (mesh->getPortNumber() != 0)
   {
     return; // arguments of traced functions are proxies, not their outputs
   }
-  const QByteArray path = folder.toUtf8();
-  std::vector<std::string> names, lines;
-  for (const QString& name : criteria)
+  const auto convert = [](const QStringList& texts)
   {
-    names.push_back(name.toStdString());
-  }
-  for (const QString& line : rules.Rules.split('\n', Qt::SkipEmptyParts))
-  {
-    lines.push_back(line.toStdString());
-  }
+    std::vector<std::string> converted;
+    for (const QString& text : texts)
+    {
+      converted.push_back(text.toStdString());
+    }
+    return converted;
+  };
+  const std::vector<std::string> rules =
+    convert(request.Rules.Rules.split('\n', Qt::SkipEmptyParts));
   { // each item ends at the end of its block: while one exists, ParaView traces no other
     SM_SCOPED_TRACE(TraceText).arg("import camaron");
   }
-  // The expression that makes a trace item must have all arguments.
-#define CAMARON_TRACE                                                                              \
-  SM_SCOPED_TRACE(CallFunction)                                                                    \
-    .arg("camaron.inspect")                                                                        \
-    .arg(mesh->getSourceProxy())                                                                   \
-    .arg(path.constData())                                                                         \
-    .arg("with_mesh", false)
-  const QByteArray tolerate = rules.Tolerate.toUtf8();
-  if (!lines.empty() && !names.empty())
+  vtkSMTrace::TraceItem item("CallFunction");
+  vtkSMTrace::TraceItemArgs arguments;
+  arguments.arg("camaron.inspect")
+    .arg(mesh->getSourceProxy())
+    .arg(folder.toUtf8().constData())
+    .arg("with_mesh", false);
+  if (!criteria.isEmpty())
   {
-    CAMARON_TRACE.arg("criteria", names).arg("rules", lines).arg("tolerate", tolerate.constData());
+    arguments.arg("criteria", convert(criteria));
   }
-  else if (!lines.empty())
+  if (!request.Ranges.isEmpty())
   {
-    CAMARON_TRACE.arg("rules", lines).arg("tolerate", tolerate.constData());
+    arguments.arg("ranges", convert(request.Ranges));
   }
-  else if (!names.empty())
+  if (!rules.empty())
   {
-    CAMARON_TRACE.arg("criteria", names);
+    arguments.arg("rules", rules).arg("tolerate", request.Rules.Tolerate.toUtf8().constData());
   }
-  else
-  {
-    CAMARON_TRACE;
-  }
-#undef CAMARON_TRACE
+  item = arguments;
 }
 }
 
@@ -228,7 +223,8 @@ QString pqMeshFilters::reportFolder() const
 }
 
 //------------------------------------------------------------------------------
-QString pqMeshFilters::saveReport(const QString& folder, const camaron::CheckRequest& rules) const
+QString pqMeshFilters::saveReport(
+  const QString& folder, const camaron::ReportRequest& request) const
 {
   const pqOutputPort* cells = this->Mesh->cellsPort();
   if (!cells)
@@ -236,11 +232,20 @@ QString pqMeshFilters::saveReport(const QString& folder, const camaron::CheckReq
     return tr("There is no mesh.");
   }
   const pqScopedUndoExclude pause;
-  // An Element Quality has its own criteria.
-  const bool isEvaluation = camaron::IsFilter(cells->getSource(), "ElementQuality");
-  const QStringList criteria = isEvaluation ? QStringList() : this->Questions->evaluated();
-  TraceReport(cells, criteria, rules, folder);
+  // An Element Quality has its own criteria. Named, they are judged by the ranges of this window,
+  // which are not those of its preset.
+  QStringList criteria = this->Questions->evaluated();
+  if (camaron::IsFilter(cells->getSource(), "ElementQuality"))
+  {
+    criteria.clear();
+    const QVariant chosen = camaron::GetProperty(cells->getSource()->getProxy(), "Preset");
+    for (const camaron::PresetInfo& preset : this->Questions->presets())
+    {
+      criteria += preset.Name == chosen.toString() ? preset.Criteria : QStringList();
+    }
+  }
+  TraceReport(cells, criteria, request, folder);
   SM_SCOPED_TRACE(BlockTraceItems); // Python uses further filters
   return camaron::WriteReport(
-    cells->getSourceProxy(), cells->getPortNumber(), criteria, rules, folder);
+    cells->getSourceProxy(), cells->getPortNumber(), criteria, request, folder);
 }

@@ -7,6 +7,7 @@ from __future__ import annotations
 from typing import Any, Optional
 
 from . import text
+from .tables import BY_USER, is_file
 from .text import THIN
 
 
@@ -38,6 +39,17 @@ def is_limited(criterion: dict[str, Any]) -> bool:
 def has_not_judged(criterion: dict[str, Any]) -> bool:
     """Whether there is an acceptable range, but not for all cells that the criterion applies to."""
     return is_limited(criterion) and criterion["judged"] < criterion["applicable"]
+
+
+def range_to_select(criterion: dict[str, Any], summary: dict[str, Any]) -> dict[str, str]:
+    """The properties of Select Elements for the acceptable range of a criterion of a summary."""
+    if criterion["acceptable_source"] == BY_USER:
+        limits = zip(("LowerLimit", "UpperLimit"), criterion["acceptable"])
+        ends = {name: repr(limit) for name, limit in limits if limit is not None}
+        return {"Range": "Custom", **ends}
+    ranges = summary["ranges"]
+    found = {"Preset": summary["preset"], "RangesFile": ranges if is_file(ranges) else None}
+    return {name: value for name, value in found.items() if value}
 
 
 def drawn_limits(criterion: dict[str, Any]) -> list[Optional[float]]:

@@ -6,13 +6,17 @@ from __future__ import annotations
 
 import math
 import os
-from typing import Any, Optional
+from typing import Any, Iterable, Optional, Union
 
 from paraview import servermanager, simple
 
 from . import pipeline, text
 
 QUANTILES = (0, 1, 5, 25, 50, 75, 95, 99, 100)
+#: Acceptable ranges of the user: a file, or its lines.
+Ranges = Union[os.PathLike, str, Iterable[str]]
+#: Source of ranges in lines.
+BY_USER = "set by the user"
 
 
 def fetch(source: Any, port: int = 0) -> list[dict[str, Any]]:
@@ -93,12 +97,24 @@ def known_presets() -> dict[str, dict[str, Any]]:
         simple.Delete(table)
 
 
-def known_ranges(path: os.PathLike | str) -> dict[str, list[Optional[float]]]:
-    """Acceptable [low, high] by the criterion's name from a file of ranges.
+def is_file(ranges: Optional[Ranges]) -> bool:
+    """Whether ranges are the name of a file."""
+    return isinstance(ranges, (str, os.PathLike))
+
+
+def range_properties(ranges: Optional[Ranges]) -> dict[str, str]:
+    """Ranges as properties of Quality Statistics and Criteria Table."""
+    if ranges is None:
+        return {}
+    return {"RangesFile": str(ranges)} if is_file(ranges) else {"Ranges": "\n".join(ranges)}
+
+
+def known_ranges(ranges: Ranges) -> dict[str, list[Optional[float]]]:
+    """Acceptable [low, high] by the criterion's name from ranges of the user.
 
     RuntimeError has the file and line of an error.
     """
-    table = simple.CriteriaTable(RangesFile=str(path))
+    table = simple.CriteriaTable(**range_properties(ranges))
     try:
         with pipeline.Messages() as messages:
             rows = fetch(table, 2)
@@ -112,7 +128,7 @@ def known_ranges(path: os.PathLike | str) -> dict[str, list[Optional[float]]]:
         simple.Delete(table)
 
 
-def range_sources(preset: Optional[str], ranges: Any) -> dict[str, dict[str, Any]]:
+def range_sources(preset: Optional[str], ranges: Optional[Ranges]) -> dict[str, dict[str, Any]]:
     """Entries of `known_criteria` about ranges that do not come from the table of criteria."""
     sources = {}
     if preset:
@@ -124,7 +140,8 @@ def range_sources(preset: Optional[str], ranges: Any) -> dict[str, dict[str, Any
                 "acceptable_for": described["shapes"][name],
             }
     if ranges:
-        own = {"acceptable_source": os.path.basename(ranges), "acceptable_is_hint": False}
+        source = os.path.basename(ranges) if is_file(ranges) else BY_USER
+        own = {"acceptable_source": source, "acceptable_is_hint": False}
         sources.update(dict.fromkeys(known_ranges(ranges), {**own, "acceptable_for": "any cell"}))
     return sources
 
@@ -139,11 +156,13 @@ def _number(value: float) -> Optional[float]:
     return None if math.isnan(value) else float(value)
 
 
-def read(statistics: Any, preset: Optional[str] = None) -> list[dict[str, Any]]:
-    """All tables of Quality Statistics as one dictionary per criterion, in the order of the
-    registry."""
+def read(
+    statistics: Any, preset: Optional[str] = None, ranges: Optional[Ranges] = None
+) -> list[dict[str, Any]]:
+    """All tables of Quality Statistics, which judges by the preset and the ranges, as one dictionary
+    per criterion, in the order of the registry."""
     known = known_criteria()
-    sources = range_sources(preset, statistics.RangesFile)
+    sources = range_sources(preset, ranges)
     criteria = {}
     for row in fetch(statistics, 0):
         if row["Criterion"] not in known:

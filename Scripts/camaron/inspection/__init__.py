@@ -44,7 +44,7 @@ def inspect(
     *,
     preset: Optional[str] = None,
     criteria: Optional[Iterable[str]] = None,
-    ranges: Optional[os.PathLike | str] = None,
+    ranges: Optional[tables.Ranges] = None,
     rules: Optional[checking.Rules] = None,
     tolerate: Optional[str] = None,
     worst: int = 10,
@@ -64,10 +64,11 @@ def inspect(
     """Evaluates the quality of a mesh; writes report.html, summary.json, worst.csv and the mesh.
 
     The mesh is any file that ParaView can open, or a source of the pipeline at the current time; if
-    that is an Element Quality, the report is about its criteria unless others are given. `directory` is created if needed; by default it is
+    that is an Element Quality, the report is about its criteria unless others are given; it judges by its preset only if
+    no criteria are given. `directory` is created if needed; by default it is
     NAME-report in the current folder. The criteria are those of the preset, or the given ones, or
     those of the preset General; of the latter, and of ["all"], only criteria that apply to the
-    mesh. `ranges` is a file of acceptable ranges (Documentation/inspect.md), whose criteria are
+    mesh. `ranges` is a file of acceptable ranges (Documentation/inspect.md) or a list of its lines, whose criteria are
     evaluated in addition to those of a preset. `rules` are a file of rules or a list of their lines (Documentation/check.md);
     the report then begins with the verdict on each, and `tolerate` is the tolerance of those that specify none. `worst` is the number of worst cells to list, `bins`
     the number of bins of the histograms. `group_by` divides the cells into groups with their own
@@ -102,21 +103,26 @@ def inspect(
     stage = Stages(say, verbose, progress)
     with stage("loading the plugin"):
         pipeline.load_plugin()
+    if ranges is not None and not tables.is_file(ranges):
+        ranges = list(ranges)
     limits = tables.known_ranges(ranges) if ranges is not None else {}
     with stage("reading"):
-        keeps_criteria = preset is None and criteria is None
+        keeps_criteria = preset is None and (criteria is None or _evaluates(mesh, criteria))
         inputs = inputs or Inputs()
-        inputs.add(ranges)
+        inputs.add(ranges if tables.is_file(ranges) else None)
         evaluated = Evaluation(mesh, time, keeps_criteria, inputs, reader, strict)
     with evaluated:
         opened, quality, mesh = evaluated.opened, evaluated.quality, evaluated.mesh
         directory = Path(f"{mesh.stem}-report") if directory is None else Path(directory)
         surface = evaluated.make(simple.MeshSurface, PassThroughShapes=1)
         statistics = evaluated.make(
-            simple.QualityStatistics, NumberOfWorst=worst, NumberOfBins=bins
+            simple.QualityStatistics,
+            NumberOfWorst=worst,
+            NumberOfBins=bins,
+            **tables.range_properties(ranges),
         )
         if evaluated.has_own_criteria:
-            preset = chosen_preset(quality)
+            preset = chosen_preset(quality) if criteria is None else None
         else:
             preset = choose_criteria(quality, preset, criteria, limits)
         statistics.CurvePoints = CURVE_POINTS
@@ -125,8 +131,6 @@ def inspect(
         set_groups(statistics, group_by, opened)
         if preset:
             statistics.Preset = preset
-        if ranges is not None:
-            statistics.RangesFile = str(ranges)
         evaluated.announce(say)
         if progress:
             cells = pipeline.data_information(opened.source).GetNumberOfCells()
@@ -135,7 +139,7 @@ def inspect(
             evaluated.evaluate()
         with pipeline.Messages() as messages:
             with stage("statistics"):
-                rows = tables.read(statistics, preset)
+                rows = tables.read(statistics, preset, ranges)
             with stage("boundary and totals"):
                 described = mesh_facts.describe(mesh, evaluated, surface, statistics)
             if valid:
@@ -159,7 +163,7 @@ def inspect(
             },
             "mesh": described,
             "preset": preset,
-            "ranges": None if ranges is None else str(ranges),
+            "ranges": os.fspath(ranges) if tables.is_file(ranges) else ranges,
             "group_by": group_by,
             "verdict": checking.verdict_of(checks) if valid else None,
             "checks": checks if valid else None,
@@ -188,6 +192,15 @@ def inspect(
                 if path.name not in published and not is_input:
                     shutil.rmtree(path) if path.is_dir() else path.unlink()
         return summary
+
+
+def _evaluates(mesh: Any, criteria: list[str]) -> bool:
+    """Whether these are the criteria of an Element Quality."""
+    return (
+        isinstance(mesh, servermanager.Proxy)
+        and mesh.GetXMLName() == "ElementQuality"
+        and set(criteria) == set(evaluated_criteria(mesh))
+    )
 
 
 def _earlier_mesh(directory: Path) -> list[Path]:

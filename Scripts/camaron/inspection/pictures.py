@@ -21,7 +21,13 @@ from paraview.modules.vtkRemotingViews import vtkPVRenderingCapabilitiesInformat
 from vtkmodules.vtkIOImage import vtkPNGWriter
 
 from ..common import console, pipeline, text
-from ..common.assessment import has_not_judged, is_limited, picture_criterion, undefined_count
+from ..common.assessment import (
+    has_not_judged,
+    is_limited,
+    picture_criterion,
+    range_to_select,
+    undefined_count,
+)
 from ..common.stages import Stages
 from ..common.svg import ticks
 from .camera import SIZE, Camera
@@ -347,9 +353,7 @@ class _Pictures:
             how = {"Strategy": "Worst N", "NumberOfWorst": len(worst)}
             title = f"The {len(worst)} worst cells." if len(worst) > 1 else "The worst cell."
         else:
-            how = {"Strategy": "By criterion", "RangesFile": summary["ranges"] or ""}
-            if summary["preset"]:
-                how["Preset"] = summary["preset"]
+            how = {"Strategy": "By criterion", **range_to_select(criterion, summary)}
             title = "Cells outside the acceptable range."
         selected = self.select(self.quality, Array=criterion["name"], **how)
         scene.clear()

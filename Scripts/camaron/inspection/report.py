@@ -181,10 +181,11 @@ def _selection(finding, summary) -> Optional[Markup]:
     mesh = summary["mesh"]["path"]
     if not mesh or not finding["selects"]:
         return None
-    step = f"{finding['selects']}: Array={finding['criteria'][0]['name']}"
+    criterion = finding["criteria"][0]
+    properties = {"Array": criterion["name"]}
     if finding["selects"] == "By criterion":
-        for name, value in (("Preset", summary["preset"]), ("RangesFile", summary["ranges"])):
-            step += f"; {name}={value}" if value else ""
+        properties.update(assessment.range_to_select(criterion, summary))
+    step = f"{finding['selects']}: " + "; ".join(f"{n}={v}" for n, v in properties.items())
     return html(
         '<details class="select"><summary>Select these cells</summary><code>camaron select {} --by {} -o '
         "cells.csv</code></details>",
