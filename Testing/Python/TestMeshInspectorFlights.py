@@ -8,6 +8,7 @@ import unittest
 import camaron_testing
 from paraview import simple
 from TestMeshInspector import COUNT, SCENE, card, open_card, start
+from TestMeshInspectorElements import start as start_elements
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import VTK_TETRA, vtkUnstructuredGrid
 from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridWriter
@@ -144,19 +145,32 @@ class TestMeshInspectorFlights(WindowTestCase):
         self.assertEqual(drawn[5], drawn[0])
         self.assertEqual(drawn[6], drawn[0])
 
-    def test_undo_of_opening(self):
-        """One undo closes the mesh that a flight has opened."""
-        scenes = [self.folder / f"{i}.json" for i in range(2)]
-        self.play(
-            *start(),
-            *self.scene(scenes[0]),
-            event(card("Worst", "Next"), "activate"),
-            edit("Undo"),
-            *self.scene(scenes[1]),
+    def test_undo(self):
+        """One undo goes back a flight, to cells or to faces: the mesh closes, the camera returns, and the mark is that of the
+        flight before. Redo goes there again, and undo of Back, too."""
+        flights = [event(card("Worst", "Next"), "activate")] * 2
+        back, undo, redo = event(card("Worst", "Back"), "activate"), edit("Undo"), edit("Redo")
+        ways = (  # each ends where the first or the second flight does, or where both begin
+            (0, []),
+            (1, flights[:1]),
+            (2, flights),
+            (1, [*flights, undo]),
+            (0, [*flights, undo, undo]),
+            (2, [*flights, undo, undo, redo, redo]),
+            (0, [*flights, back]),
+            (2, [*flights, back, undo]),
         )
-        before, after = (json.loads(path.read_text()) for path in scenes)
-        self.assertNotEqual(after["camera"], before["camera"])
-        self.assertEqual(after["drawn"], before["drawn"])
+        faces = start_elements("Faces", [4], "Non-orthogonality")
+        for begin, tried in ((start(), ways), (faces, ways[:5])):
+            places = {}
+            for number, (place, way) in enumerate(tried):
+                path = self.folder / f"{number}.json"
+                self.play(*begin, *way, *self.scene(path))
+                scene = json.loads(path.read_text())
+                self.assertEqual(scene, places.setdefault(place, scene), number)
+            self.assertEqual([places[i]["marked"] for i in range(3)], [0, 1, 1])
+            self.assertNotEqual(places[0]["drawn"], places[1]["drawn"])
+            self.assertEqual(len({tuple(scene["camera"]) for scene in places.values()}), 3)
 
     def test_all_at_once(self):
         """What is listed is selected and drawn alone, also after an opened row; Back shows the whole mesh again."""

@@ -4,6 +4,7 @@
 
 #include "MeshColors.h"
 #include "NumberText.h"
+#include "ProxyValues.h"
 #include "pqInspectedMesh.h"
 #include "pqMeshDisplay.h"
 #include "pqMeshQuestions.h"
@@ -12,16 +13,10 @@
 #include "pqServer.h"
 #include "pqUndoStack.h"
 
-#include "vtkNew.h"
-#include "vtkObjectFactory.h"
-#include "vtkSMSession.h"
-#include "vtkSMUndoElement.h"
-
 #include <QPointer>
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <utility>
 
@@ -75,29 +70,6 @@ QString SpellRange(const QString& criterion, const QPair<double, double>& limits
   { return std::isfinite(limit) ? camaron::ExactNumber(limit) : QString("*"); };
   return QStringList{ criterion, spell(limits.first), spell(limits.second) }.join(' ');
 }
-
-//------------------------------------------------------------------------------
-// What is no property of a proxy, undone and redone together with those of the same change.
-class OtherChange : public vtkSMUndoElement
-{
-public:
-  static OtherChange* New();
-  vtkTypeMacro(OtherChange, vtkSMUndoElement);
-
-  std::function<void()> Back, Forth;
-
-  int Undo() override
-  {
-    this->Back();
-    return 1;
-  }
-  int Redo() override
-  {
-    this->Forth();
-    return 1;
-  }
-};
-vtkStandardNewMacro(OtherChange);
 
 //------------------------------------------------------------------------------
 bool IsCriterion(const pqMeshQuestions& questions, const QString& element, const QString& name)
@@ -237,21 +209,16 @@ void pqInspectorState::changeLimits(const camaron::Limits& limits)
   {
     const pqScopedUndoSet undo(tr("Change Acceptable Range"));
     this->Services.Display->colors().judgeBy(this->Criterion, limits);
-    // Later, when all else has been undone.
     const auto restore = [state = QPointer<pqInspectorState>(this),
                            key = this->keyOf(this->Criterion)](const camaron::Limits& restored)
     {
       if (state)
       {
-        QMetaObject::invokeMethod(
-          state, [=] { state->restoreLimits(key, restored); }, Qt::QueuedConnection);
+        state->restoreLimits(key, restored);
       }
     };
-    vtkNew<OtherChange> change;
-    change->SetSession(this->Services.Mesh->server()->session());
-    change->Back = [=] { restore(before); };
-    change->Forth = [=] { restore(limits); };
-    ADD_UNDO_ELEM(change);
+    camaron::AddToUndo(
+      this->Services.Mesh->server()->session(), [=] { restore(before); }, [=] { restore(limits); });
   }
   Q_EMIT this->limitsChanged();
 }

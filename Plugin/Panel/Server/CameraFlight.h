@@ -51,6 +51,11 @@ public:
     }
   }
 
+  bool isUnderWay() const
+  {
+    return this->Animation && this->Animation->state() == QAbstractAnimation::Running;
+  }
+
 private:
   void end(pqRenderView* view, const QVector<double>& camera, const std::function<void()>& arrive);
 

@@ -4,9 +4,12 @@
 
 #include "NumberText.h"
 
+#include "pqUndoStack.h"
+
 #include "vtkClientSocket.h"
 #include "vtkMultiProcessController.h"
 #include "vtkNew.h"
+#include "vtkObjectFactory.h"
 #include "vtkSMColorMapEditorHelper.h"
 #include "vtkSMDoubleVectorProperty.h"
 #include "vtkSMProperty.h"
@@ -20,12 +23,14 @@
 #include "vtkSMStringVectorProperty.h"
 #include "vtkSMTrace.h"
 #include "vtkSMTransferFunctionManager.h"
+#include "vtkSMUndoElement.h"
 #include "vtkSMVectorProperty.h"
 #include "vtkSmartPointer.h"
 #include "vtkSocket.h"
 #include "vtkSocketCommunicator.h"
 
 #include <QStringList>
+#include <QTimer>
 
 #include <algorithm>
 #include <cmath>
@@ -43,6 +48,28 @@ QMap<QString, QVariant> GetLightOfLegends(vtkSMProxy* display)
   return { { "Ambient", camaron::GetLook(display, "Ambient") },
     { "Diffuse", camaron::GetLook(display, "Diffuse") } };
 }
+
+//------------------------------------------------------------------------------
+class OtherChange : public vtkSMUndoElement
+{
+public:
+  static OtherChange* New();
+  vtkTypeMacro(OtherChange, vtkSMUndoElement);
+
+  std::function<void()> Back, Forth;
+
+  int Undo() override
+  {
+    QTimer::singleShot(0, this->Back);
+    return 1;
+  }
+  int Redo() override
+  {
+    QTimer::singleShot(0, this->Forth);
+    return 1;
+  }
+};
+vtkStandardNewMacro(OtherChange);
 }
 
 namespace camaron
@@ -285,6 +312,17 @@ void SetCut(vtkSMProxy* display, const QString& shape, const QMap<QString, QVari
     display->UpdateVTKObjects();
     SetTracedProperties(cut, values);
   }
+}
+
+//------------------------------------------------------------------------------
+void AddToUndo(
+  vtkSMSession* session, const std::function<void()>& undo, const std::function<void()>& redo)
+{
+  vtkNew<OtherChange> change;
+  change->SetSession(session);
+  change->Back = undo;
+  change->Forth = redo;
+  ADD_UNDO_ELEM(change);
 }
 
 //------------------------------------------------------------------------------

@@ -13,6 +13,8 @@
 #include <QString>
 #include <QVariant>
 
+#include <functional> // for changes of no property
+
 class vtkSMProperty;
 class vtkSMProxy;
 class vtkSMSession;
@@ -74,6 +76,11 @@ vtkSMProxy* ChooseProxy(vtkSMProxy* proxy, const char* property, const QString& 
 
 /// Chooses a shape of the cut of a representation, and sets its properties; recorded in a trace.
 void SetCut(vtkSMProxy* display, const QString& shape, const QMap<QString, QVariant>& values);
+
+/// Adds a change of no property to the present step of undo. Both functions run later, when all
+/// else of the step has been undone or redone.
+void AddToUndo(
+  vtkSMSession* session, const std::function<void()>& undo, const std::function<void()>& redo);
 
 /// @name Questions to a server that may have ended
 /// ParaView notices the end of a server when it next handles events, or waits for an answer. If the

@@ -21,6 +21,7 @@
 #include "pqOutputPort.h"
 #include "pqPipelineSource.h"
 #include "pqRenderView.h"
+#include "pqServer.h"
 #include "pqUndoStack.h"
 
 #include "vtkCommand.h"
@@ -62,6 +63,29 @@ vtkSMProxy* GetCut(pqDataRepresentation* shown)
 }
 
 //------------------------------------------------------------------------------
+// What a flight to an element changes, to restore it.
+struct pqMeshDisplay::BeforeFlight
+{
+  QPointer<pqRenderView> View;
+  QVector<double> Camera;
+  QPointer<pqOutputPort> Cells;
+  QPointer<pqDataRepresentation> Drawn; // whose display was changed
+  QMap<QString, QVariant> Properties;   // of it; empty if it was not changed
+  QString CutShape;
+};
+
+//------------------------------------------------------------------------------
+// Where undo and redo go.
+struct pqMeshDisplay::Place
+{
+  QPointer<pqRenderView> View;
+  QVector<double> Camera;
+  QPointer<pqOutputPort> Cells;
+  std::optional<camaron::Location> Marked;
+  std::optional<BeforeFlight> Before;
+};
+
+//------------------------------------------------------------------------------
 class pqMeshDisplay::Internals
 {
 public:
@@ -70,16 +94,6 @@ public:
   {
     vtkWeakPointer<vtkSMProxy> Proxy;
     vtkNew<vtkEventQtSlotConnect> Connector;
-  };
-  /// What a flight to an element changes, to restore it.
-  struct State
-  {
-    QPointer<pqRenderView> View;
-    QVector<double> Camera;
-    QPointer<pqOutputPort> Cells;
-    QPointer<pqDataRepresentation> Drawn; // whose display was changed
-    QMap<QString, QVariant> Properties;   // of it; empty if it was not changed
-    QString CutShape;
   };
 
   Internals(pqInspectedMesh* mesh, pqMeshQuestions* questions)
@@ -102,6 +116,12 @@ public:
     }
   }
 
+  void Unmark()
+  {
+    this->Marker.hide();
+    this->Marked.reset();
+  }
+
   pqTimer DisplayTimer;
   QPointer<pqDataRepresentation> Shown;
   Followed Display, Cut, Legend;
@@ -109,8 +129,10 @@ public:
   camaron::ElementMarker Marker{ "GeometryRepresentation" };
   camaron::ElementMarker Shining{ "ElementOverlay" }; // what is selected
   camaron::LargeSelection Emphasized;                 // if that is much
+  std::optional<camaron::Location> Marked;
   camaron::CameraFlight Flight;
-  std::optional<State> BeforeFlight;
+  Place From; // of the flight that is under way
+  std::optional<pqMeshDisplay::BeforeFlight> Before;
 };
 
 //------------------------------------------------------------------------------
@@ -149,7 +171,7 @@ pqMeshDisplay::pqMeshDisplay(
       this->followDisplay();
     });
   QObject::connect(
-    mesh, &pqInspectedMesh::cellsPortChanged, this, [this] { this->Internal->Marker.hide(); });
+    mesh, &pqInspectedMesh::cellsPortChanged, this, [this] { this->Internal->Unmark(); });
   QObject::connect(mesh, &pqInspectedMesh::followingChanged, this, &pqMeshDisplay::showSelection);
   QObject::connect(mesh, &pqInspectedMesh::aboutToRemove, this,
     [this](pqPipelineSource* source)
@@ -158,7 +180,7 @@ pqMeshDisplay::pqMeshDisplay(
       { return port && port->getSource() == source; };
       if (isOf(this->Mesh->cellsPort()))
       {
-        this->Internal->Marker.hide();
+        this->Internal->Unmark();
       }
       if (isOf(this->Mesh->port()))
       {
@@ -170,8 +192,8 @@ pqMeshDisplay::pqMeshDisplay(
     [this]
     {
       this->Internal->Colors.forget();
-      this->Internal->BeforeFlight.reset();
-      this->Internal->Marker.hide();
+      this->Internal->Before.reset();
+      this->Internal->Unmark();
       this->Internal->Shining.hide();
       this->Internal->Emphasized.hide();
     });
@@ -419,6 +441,8 @@ void pqMeshDisplay::flyTo(const camaron::Location& location, bool open)
   {
     return;
   }
+  const Place from = this->here(view);
+  this->Internal->From = from;
   if (!open || !this->canFlyBack())
   {
     this->closeDisplay();
@@ -429,29 +453,84 @@ void pqMeshDisplay::flyTo(const camaron::Location& location, bool open)
     camaron::Aim(view->getProxy(), location, ShareOfElement, direction);
   const QVariantList box =
     open && location.Size > 0 ? camaron::MakeBox(location, direction, camera) : QVariantList();
-  this->Internal->Marker.hide();
+  this->Internal->Unmark();
   this->Internal->Flight.start(view, camera,
-    [this, view, location, box, cells = QPointer<pqOutputPort>(this->Mesh->cellsPort())]
+    [this, view, location, camera, box, from,
+      cells = QPointer<pqOutputPort>(this->Mesh->cellsPort())]
     {
+      const bool isOfCells = cells && cells == this->Mesh->cellsPort();
+      const pqScopedUndoSet undo(tr("Fly to Element"));
       if (!box.isEmpty() && this->canFlyBack()) // only now: the camera moves at once and often
       {
-        const pqScopedUndoSet undo(tr("Open Mesh"));
         this->rememberDisplay();
         this->set({ { "CutBy", 1 }, { "CutKeeps", 1 }, { "CellsToDraw", 0 }, { "GlassShell", 1 },
           { "DrawEdges", 1 } });
         this->setCut("HalfSpaces", { { "Planes", box } });
       }
-      const camaron::Helper target = cells && cells == this->Mesh->cellsPort()
-        ? this->Questions->extracted(location, "Target")
-        : nullptr;
-      if (target && this->Mesh->helpers().update(target)) // views do not update it at first
+      if (isOfCells)
       {
-        const QVariant color = camaron::GetLook(target, "MarkColor");
-        this->Internal->Marker.show(view, target,
-          { { "Representation", QString("Wireframe") }, { "AmbientColor", color },
-            { "DiffuseColor", color }, { "LineWidth", 4.0 }, { "Pickable", 0 } });
+        this->mark(view, location);
+        this->recordWay(from, camera);
       }
     });
+  Q_EMIT this->displayChanged();
+}
+
+//------------------------------------------------------------------------------
+void pqMeshDisplay::mark(pqRenderView* view, const camaron::Location& location)
+{
+  const camaron::Helper target = this->Questions->extracted(location, "Target");
+  if (target && this->Mesh->helpers().update(target)) // views do not update it at first
+  {
+    const QVariant color = camaron::GetLook(target, "MarkColor");
+    this->Internal->Marker.show(view, target,
+      { { "Representation", QString("Wireframe") }, { "AmbientColor", color },
+        { "DiffuseColor", color }, { "LineWidth", 4.0 }, { "Pickable", 0 } });
+    this->Internal->Marked = location;
+  }
+}
+
+//------------------------------------------------------------------------------
+pqMeshDisplay::Place pqMeshDisplay::here(pqRenderView* view) const
+{
+  return this->Internal->Flight.isUnderWay()
+    ? this->Internal->From
+    : Place{ view, camaron::GetCamera(view->getProxy()), this->Mesh->cellsPort(),
+        this->Internal->Marked, this->Internal->Before };
+}
+
+//------------------------------------------------------------------------------
+void pqMeshDisplay::recordWay(const Place& from, const QVector<double>& camera)
+{
+  const Place to = { from.View, camera, this->Mesh->cellsPort(), this->Internal->Marked,
+    this->Internal->Before };
+  const auto way = [display = QPointer<pqMeshDisplay>(this)](const Place& place)
+  {
+    if (display)
+    {
+      display->goTo(place);
+    }
+  };
+  camaron::AddToUndo(this->Mesh->server()->session(), [=] { way(from); }, [=] { way(to); });
+}
+
+//------------------------------------------------------------------------------
+void pqMeshDisplay::goTo(const Place& place)
+{
+  this->Internal->Unmark();
+  this->Internal->Before = place.Before;
+  this->Internal->From = place;
+  if (place.View)
+  {
+    this->Internal->Flight.start(place.View, place.Camera,
+      [this, place]
+      {
+        if (place.Marked && place.Cells && place.Cells == this->Mesh->cellsPort())
+        {
+          this->mark(place.View, *place.Marked);
+        }
+      });
+  }
   Q_EMIT this->displayChanged();
 }
 
@@ -463,18 +542,23 @@ void pqMeshDisplay::showSelected(const std::optional<camaron::Location>& locatio
   {
     return;
   }
+  const pqScopedUndoSet undo(tr("Show Selected"));
+  const Place from = this->here(view);
   this->Internal->Flight.stop();
   this->closeDisplay();
-  this->Internal->Marker.hide();
+  this->Internal->Unmark();
   this->rememberCamera(view);
   this->rememberDisplay();
   this->set({ { "CutBy", 0 }, { "CellsToDraw", 1 }, { "GlassShell", 1 }, { "DrawEdges", 1 } });
+  QVector<double> camera = camaron::GetCamera(view->getProxy());
   if (location)
   {
     double direction[3];
-    this->Internal->Flight.start(
-      view, camaron::Aim(view->getProxy(), *location, ShareOfSelection, direction));
+    camera = camaron::Aim(view->getProxy(), *location, ShareOfSelection, direction);
+    this->Internal->From = from;
+    this->Internal->Flight.start(view, camera);
   }
+  this->recordWay(from, camera);
   Q_EMIT this->displayChanged();
 }
 
@@ -483,17 +567,17 @@ void pqMeshDisplay::rememberCamera(pqRenderView* view)
 {
   if (!this->canFlyBack())
   {
-    this->Internal->BeforeFlight.emplace();
-    this->Internal->BeforeFlight->View = view;
-    this->Internal->BeforeFlight->Camera = camaron::GetCamera(view->getProxy());
-    this->Internal->BeforeFlight->Cells = this->Mesh->cellsPort();
+    this->Internal->Before.emplace();
+    this->Internal->Before->View = view;
+    this->Internal->Before->Camera = camaron::GetCamera(view->getProxy());
+    this->Internal->Before->Cells = this->Mesh->cellsPort();
   }
 }
 
 //------------------------------------------------------------------------------
 void pqMeshDisplay::rememberDisplay()
 {
-  Internals::State& before = *this->Internal->BeforeFlight;
+  BeforeFlight& before = *this->Internal->Before;
   if (!before.Properties.isEmpty())
   {
     return; // it is open already, also that of a step of selection, which looks the same
@@ -510,12 +594,12 @@ void pqMeshDisplay::rememberDisplay()
 //------------------------------------------------------------------------------
 void pqMeshDisplay::closeDisplay()
 {
-  if (!this->Internal->BeforeFlight || this->Internal->BeforeFlight->Properties.isEmpty())
+  if (!this->Internal->Before || this->Internal->Before->Properties.isEmpty())
   {
     return;
   }
   const pqScopedUndoSet undo(tr("Change Display"));
-  QSet<pqDataRepresentation*> opened = { this->Internal->BeforeFlight->Drawn };
+  QSet<pqDataRepresentation*> opened = { this->Internal->Before->Drawn };
   if (this->canFlyBack())
   { // after a step of selection, its display is open, too
     opened << this->Mesh->representation();
@@ -524,13 +608,13 @@ void pqMeshDisplay::closeDisplay()
   {
     if (drawn)
     {
-      camaron::SetCut(drawn->getProxy(), this->Internal->BeforeFlight->CutShape, {});
-      camaron::SetTracedProperties(drawn->getProxy(), this->Internal->BeforeFlight->Properties);
+      camaron::SetCut(drawn->getProxy(), this->Internal->Before->CutShape, {});
+      camaron::SetTracedProperties(drawn->getProxy(), this->Internal->Before->Properties);
       drawn->renderViewEventually();
     }
   }
-  this->Internal->BeforeFlight->Drawn = nullptr;
-  this->Internal->BeforeFlight->Properties.clear();
+  this->Internal->Before->Drawn = nullptr;
+  this->Internal->Before->Properties.clear();
 }
 
 //------------------------------------------------------------------------------
@@ -540,18 +624,22 @@ void pqMeshDisplay::flyBack()
   {
     return;
   }
-  this->Internal->Marker.hide();
+  const pqScopedUndoSet undo(tr("Fly Back"));
+  const Place from = this->here(this->Internal->Before->View);
+  this->Internal->Unmark();
   this->closeDisplay();
-  this->Internal->Flight.start(
-    this->Internal->BeforeFlight->View, this->Internal->BeforeFlight->Camera);
-  this->Internal->BeforeFlight.reset();
+  const QVector<double> camera = this->Internal->Before->Camera;
+  this->Internal->From = from;
+  this->Internal->Flight.start(from.View, camera);
+  this->Internal->Before.reset();
+  this->recordWay(from, camera);
   Q_EMIT this->displayChanged();
 }
 
 //------------------------------------------------------------------------------
 bool pqMeshDisplay::canFlyBack() const
 {
-  return this->Internal->BeforeFlight && this->Mesh->cellsPort() &&
-    this->Mesh->cellsPort() == this->Internal->BeforeFlight->Cells &&
-    this->Internal->BeforeFlight->View && this->Internal->BeforeFlight->View == this->Mesh->view();
+  return this->Internal->Before && this->Mesh->cellsPort() &&
+    this->Mesh->cellsPort() == this->Internal->Before->Cells && this->Internal->Before->View &&
+    this->Internal->Before->View == this->Mesh->view();
 }

@@ -103,12 +103,26 @@ Q_SIGNALS:
 private:
   Q_DISABLE_COPY(pqMeshDisplay)
 
+  struct BeforeFlight;
+  struct Place;
+
   void followDisplay();
 
   /// Before the first flight, and before a mesh is opened, unless it is open already.
   void rememberCamera(pqRenderView* view);
   void rememberDisplay();
   void closeDisplay();
+
+  /// Marks the element at a location.
+  void mark(pqRenderView* view, const camaron::Location& location);
+
+  ///@{
+  /// Undo of the camera's ways, with the mark: where it is, or where the present flight began; adds
+  /// a way from there to the present step of undo; and goes a way again.
+  Place here(pqRenderView* view) const;
+  void recordWay(const Place& from, const QVector<double>& camera);
+  void goTo(const Place& place);
+  ///@}
 
   pqInspectedMesh* Mesh;
   pqMeshQuestions* Questions;
