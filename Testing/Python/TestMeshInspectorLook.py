@@ -5,9 +5,12 @@
 import json
 import unittest
 
+import camaron
 import camaron_testing
 import gallery
 import numpy
+from camaron.inspection import pictures
+from camaron.inspection.camera import Camera
 from inspection_testing import read_picture
 from paraview import servermanager, simple
 from TestMeshInspector import CARDS, COUNT, CTRL, DOCK, PLOT, SHIFT, card, drag, open_card, start
@@ -30,6 +33,16 @@ from window_testing import (
     show_inspector,
 )
 
+#: What a legend shows beside the colors.
+LEGEND = (
+    "Title",
+    "ComponentTitle",
+    "DrawNanAnnotation",
+    "AddRangeLabels",
+    "RangeLabelFormat",
+    "UseCustomLabels",
+)
+
 #: Writes properties of the legend of the current criterion and of the bar chart.
 TITLES = """
 import json
@@ -45,11 +58,11 @@ with open(PATH, "w") as file:
             "views": sorted(v.GetXMLName() for v in manager.GetProxiesInGroup("views").values()),
             "rows": [r.Input.Port for r in sheet.Representations if r.Visibility],
             "active": view.GetXMLName(),
-            "legend": [legend.Title, legend.ComponentTitle, legend.DrawNanAnnotation],
+            "legend": [legend.GetPropertyValue(name) for name in LEGEND],
             "colors": [list(table.RGBPoints)[1:4] for table in (
                 legend.LookupTable, simple.GetColorTransferFunction("MinDihedralAngle"),
                 simple.GetColorTransferFunction("ArrayThatNobodyHas"))],
-            "charts": [[c.BottomAxisTitle, c.LeftAxisTitle, c.ShowLegend] for c in charts],
+            "charts": [[c.ChartTitle, c.BottomAxisTitle, c.LeftAxisTitle, c.ShowLegend] for c in charts],
             "bars": [[p.GetElement(i) for i in range(p.GetNumberOfElements())] for p in
                      (r.SMProxy.GetProperty("SeriesVisibility") for r in charts[0].Representations)],
         },
@@ -160,7 +173,8 @@ import json
 from paraview import simple
 camera = simple.GetActiveCamera()
 with open(PATH, "w") as file:
-    json.dump(camera.GetDirectionOfProjection(), file)
+    camera.OrthogonalizeViewUp()
+    json.dump([camera.GetDirectionOfProjection(), camera.GetViewUp()], file)
 """
 
 #: Selects a cell.
@@ -235,7 +249,7 @@ class TestMeshInspectorLook(WindowTestCase):
             event(card("Worst", "Next"), "activate"),
             *self.picture(flown),
         )
-        self.assertTrue(numpy.allclose(json.loads(direction.read_text()), [-(3**-0.5)] * 3))
+        self.assertTrue(numpy.allclose(json.loads(direction.read_text())[0], [-(3**-0.5)] * 3))
         changed = (read_picture(before) != read_picture(during)).any(axis=2)
         self.assertGreater(changed.sum(), 50)
         self.assertLess(changed.mean(), 0.1)
@@ -244,7 +258,7 @@ class TestMeshInspectorLook(WindowTestCase):
         self.assertGreater(((red > 200) & (green > 180) & (blue < 100)).sum(), 50, "yellow mark")
 
     def test_edges(self):
-        """`camaron view` shows a mesh of a format of ParaView as the window shows ours. Mesh Inspection has its edges
+        """`camaron view` shows a mesh of a format of ParaView as the window shows ours, and reports do. Mesh Inspection has its edges
         wherever it is chosen."""
         mesh = self.folder / "ball.vtu"
         simple.SaveData(str(mesh), self.open(camaron_testing.EXAMPLES / "voronoi-ball.visf"))
@@ -264,7 +278,10 @@ class TestMeshInspectorLook(WindowTestCase):
             *self.script("inspection", CHANGE.replace("TYPE", "Mesh Inspection")),
             *write(chosen, EDGES),
         )
-        self.assertTrue(numpy.allclose(json.loads(camera.read_text()), [-(3**-0.5)] * 3))
+        seen, up = json.loads(camera.read_text())
+        self.assertTrue(numpy.allclose(seen, [-(3**-0.5)] * 3))
+        of_report = Camera([0, 1, 0, 2, 0, 3])
+        self.assertTrue(numpy.allclose([of_report.towards, of_report.up], [[-x for x in seen], up]))
         self.assertEqual(json.loads(blue.read_text()), [0, 0, 0.5, 1])
         self.assertEqual(json.loads(chosen.read_text()), json.loads(viewed.read_text()))
         self.assertLess(max(json.loads(viewed.read_text())[:3]), 0.4)
@@ -511,7 +528,7 @@ class TestMeshInspectorLook(WindowTestCase):
         )
 
     def test_titles(self):
-        """Legend and chart name criterion and unit. All tables are in one view, all charts in another; the mesh's view
+        """Legend and chart name criterion and unit, legends of reports as those of the window. All tables are in one view, all charts in another; the mesh's view
         stays active, and the verdicts stay. The color map of Mesh Inspection is its own."""
         titles, tables = self.folder / "titles.json", self.folder / "new"
         self.play(
@@ -529,16 +546,29 @@ class TestMeshInspectorLook(WindowTestCase):
             check(f"{CARDS}/Check", "verdict", "fail"),
             event(card("Report", "SaveTables"), "activate"),
             event(f"{CARDS}/Report/SaveTablesDialog", "filesSelected", tables),
-            *self.script("titles", TITLES.replace("PATH", repr(str(titles)))),
+            *self.script(
+                "titles", TITLES.replace("PATH", repr(str(titles))).replace("LEGEND", repr(LEGEND))
+            ),
         )
         self.assertIn("MinDihedralAngle", (tables / "worst.csv").read_text())
         found = json.loads(titles.read_text())
         title = "Minimum dihedral angle (°)"
-        self.assertEqual(found["legend"], [title, "", 1])
+        self.assertEqual(found["legend"][:4], [title, "", 1, 1])
+        report = camaron.inspect(
+            camaron_testing.EXAMPLES / "flange.visf",
+            self.folder / "report",
+            criteria=["MinDihedralAngle"],
+            with_pictures=False,
+            with_mesh=False,
+        )
+        scene = pictures.Scene()
+        self.addCleanup(scene.close)
+        scene.color(scene.show(simple.Sphere()), report["criteria"][0])
+        self.assertEqual([scene.bar.GetPropertyValue(name) for name in LEGEND], found["legend"])
         own, shared, usual = found["colors"]
         self.assertEqual(shared, usual)
         self.assertNotEqual(own, usual)
-        self.assertEqual(found["charts"], [[title, "Cells", 0]])
+        self.assertEqual(found["charts"], [["flange.visf", title, "Cells", 0]])
         # All columns are listed, or a state that is loaded shows those that are not.
         self.assertEqual([sorted(shown[1::2]) for shown in found["bars"]], [["0"] * 11 + ["1"]])
         self.assertEqual(found["rows"], [2])

@@ -393,7 +393,7 @@ void pqMeshFilters::showStatistics(const QStringList& arrays, int table, const Q
     { // the bars of the histogram
       const camaron::CriterionInfo* info = this->Questions->criterion(arrays.value(0));
       camaron::SetTracedProperties(view->getViewProxy(),
-        { { "ChartTitle", mesh->getSource()->getSMName() }, { "LeftAxisTitle", tr("Cells") },
+        { { "ChartTitle", this->Questions->summary().Name }, { "LeftAxisTitle", tr("Cells") },
           { "BottomAxisTitle", info ? info->title() : arrays.value(0) }, { "ShowLegend", 0 } });
       // All columns are listed: a state file that is loaded shows those that are not.
       statistics->getSourceProxy()->UpdatePipeline();

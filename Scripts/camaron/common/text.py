@@ -55,6 +55,15 @@ def number(value: Optional[float], digits: int = 4) -> str:
     return f"{value:.{digits}g}"
 
 
+def with_unit(name: str, unit: str) -> str:
+    """A name with the symbol of its unit.
+
+    >>> with_unit("Angle", "deg"), with_unit("Ratio", "")
+    ('Angle (°)', 'Ratio')
+    """
+    return f"{name} ({UNIT_SYMBOLS.get(unit, unit)})" if unit else name
+
+
 def printable(words: str) -> str:
     r"""The text on one line, with ? for characters that terminals interpret, such as control
     characters.

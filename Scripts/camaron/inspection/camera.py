@@ -67,19 +67,18 @@ class Camera:
 
 
 def direction(extent: Sequence[float]) -> tuple[list[float], list[float]]:
-    """Direction from the mesh to the camera, and the view-up vector."""
+    """Direction from the mesh to the camera, and the view-up vector: isometric as in the window
+    (vtkSMRenderViewProxy::ApplyIsometricView), or in front of a plane."""
     diagonal = math.hypot(*extent)
     flat = [axis for axis in range(3) if extent[axis] <= 1e-6 * diagonal]
     if len(flat) == 1:
         towards, up = {
-            0: ([1.0, 0.0, 0.0], [0.0, 0.0, 1.0]),
+            0: ([1.0, 0.0, 0.0], [0.0, 1.0, 0.0]),
             1: ([0.0, -1.0, 0.0], [0.0, 0.0, 1.0]),
             2: ([0.0, 0.0, 1.0], [0.0, 1.0, 0.0]),
         }[flat[0]]
         return towards, up
-    slanted = [0.62, -1.0, 0.72]
-    length = math.hypot(*slanted)
-    return [x / length for x in slanted], [0.0, 0.0, 1.0]
+    return [3**-0.5] * 3, [0.0, 1.0, 0.0]
 
 
 def _cross(a: Sequence[float], b: Sequence[float]) -> list[float]:

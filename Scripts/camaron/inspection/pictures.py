@@ -29,7 +29,6 @@ from ..common.assessment import (
     undefined_count,
 )
 from ..common.stages import Stages
-from ..common.svg import ticks
 from .camera import SIZE, Camera
 from .report import Picture
 
@@ -153,8 +152,7 @@ class Scene:
         self.bar = bar = _make_proxy("representations", "ScalarBarWidgetRepresentation")
         bar.LookupTable = table
         self.view.Representations.append(bar)
-        unit = criterion["unit"]
-        bar.Title = criterion["label"] + (f" ({unit})" if unit else "")
+        bar.Title = text.with_unit(criterion["label"], criterion["unit"])
         bar.ComponentTitle = ""
         bar.WindowLocation = "Any Location"
         bar.Orientation = "Vertical"
@@ -164,10 +162,9 @@ class Scene:
         bar.TitleFontSize, bar.LabelFontSize = 26, 23
         bar.TitleColor = bar.LabelColor = self.look.TextColor
         low, high = points[0], points[-4]
-        bar.UseCustomLabels = 1
-        bar.CustomLabels = ticks(low, high, 7)
-        bar.AddRangeLabels = 0
-        bar.LabelFormat = "%-g"
+        number = ".0f" if high >= 1000 and low % 1 == high % 1 == 0 else ".3g"  # as in the window
+        is_new = "{" in bar.RangeLabelFormat  # the notation depends on the version of ParaView
+        bar.RangeLabelFormat = f"{{:{number}}}" if is_new else f"%{number}"
         bar.DrawNanAnnotation = 1 if criterion["undefined"] or not_judged else 0
         bar.NanAnnotation = colors["UndefinedText"][0]
         if undefined_count(criterion) < criterion["undefined"]:  # the criterion is not for all

@@ -442,13 +442,12 @@ def _worst(c) -> Optional[Markup]:
                 id=w["id"],
             )
         )
-    unit = f" ({_unit(c['unit'])})" if c["unit"] else ""
     head = [
         "",
         *(["Block"] if blocks else []),
         "Cell",
         "Type",
-        f"Value{unit}",
+        text.with_unit("Value", c["unit"]),
         "Center x",
         "y",
         "z",
