@@ -95,6 +95,8 @@ public:
   Value* data() { return this->Values; }
   const Value* data() const { return this->Values; }
   vtkIdType size() const { return this->Size; }
+  /// Drops the last values; their memory stays allocated.
+  void Shrink(vtkIdType size) { this->Size = size; }
   Value& operator[](vtkIdType i) { return this->Values[i]; }
   const Value& operator[](vtkIdType i) const { return this->Values[i]; }
 

@@ -4,6 +4,7 @@
 #include "FluentMeshReading.h"
 #include "FluentMeshSamples.h"
 
+#include "Intake/Rows/TextLines.h"
 #include "Mesh/MeshTopology.h"
 #include "Sanitized.h"
 

@@ -75,6 +75,7 @@ struct ZoneFaces
   std::vector<int> Types;
   std::vector<vtkIdType> Faces; // positions in the file
   vtkIdType Free = 0;           // number of faces that belong to no cell
+  bool IsShown = false;         // even without faces
 };
 
 //------------------------------------------------------------------------------
@@ -203,20 +204,35 @@ void AddFluentZones(const FluentFile& file, vtkFieldData* fieldData)
 
 //------------------------------------------------------------------------------
 bool MakeFluentBoundaries(const FluentFile& file, const FluentMesh& mesh, vtkPoints* points,
-  vtkMultiBlockDataSet* blocks, Warnings* warnings)
+  vtkMultiBlockDataSet* blocks, Warnings& warnings)
 {
-  std::map<int, std::vector<const FluentFaces::Run*>> runs; // by zone
+  std::map<int, ZoneFaces> faces;
   for (const FluentFaces::Run& run : mesh.Faces.GetRuns())
   {
     if (run.IsOfBoundary() && file.ZonesLeftOut.count(run.Zone) == 0)
     {
-      runs[run.Zone].push_back(&run);
+      // At non-conformal interfaces, faces may have no nodes at all.
+      faces[run.Zone].IsShown |= run.BoundaryType < FluentBoundary::Nonconformal;
     }
   }
   constexpr std::size_t MaxZones = 10000;
-  if (runs.size() > MaxZones)
+  if (faces.size() > MaxZones)
   {
-    return false;
+    warnings.Add("there are too many face zones; boundaries are not shown");
+    return true;
+  }
+  for (const FluentFaces::Run& run : mesh.Faces.GetRuns())
+  {
+    if (run.IsOfBoundary() &&
+      !mesh.Faces.ForBatchesOf(run, true, Progress(),
+        [&](const FluentFaces::Run& batch, const Progress&)
+        {
+          Collect(mesh, batch, faces[run.Zone]);
+          return true;
+        }))
+    {
+      return false;
+    }
   }
   std::map<int, FluentZone> zones;
   for (const FluentZone& zone : ListZones(file))
@@ -229,32 +245,24 @@ bool MakeFluentBoundaries(const FluentFile& file, const FluentMesh& mesh, vtkPoi
   for (const FluentSection& section : file.Faces) // in their order
   {
     const int id = static_cast<int>(section.Header[0]);
-    const auto found = runs.find(id);
-    if (found == runs.end())
+    auto found = faces.extract(id);
+    if (found.empty())
     {
       continue;
     }
-    ZoneFaces collected;
-    bool hasFaces = false;
-    for (const FluentFaces::Run* run : found->second)
-    {
-      // At non-conformal interfaces, faces may have no nodes at all.
-      hasFaces = hasFaces || run->BoundaryType < FluentBoundary::Nonconformal;
-      Collect(mesh, *run, collected);
-    }
-    runs.erase(found);
-    if (warnings && collected.Free > 0)
-    {
-      warnings->Add("faces of the zone " + QuoteWord(zones[id].Name) +
-        " that belong to no cell are left out: " + std::to_string(collected.Free));
-    }
-    if (!hasFaces && collected.Faces.empty())
-    {
-      continue;
-    }
+    ZoneFaces& own = found.mapped();
     const FluentZone& zone = zones[id];
-    const auto surface = MakeSurface(mesh, collected, id, points, pointsOfPiece,
-      (number + 1) * mesh.Piece.GetNumberOfMeshPoints());
+    if (own.Free > 0)
+    {
+      warnings.Add("faces of the zone " + QuoteWord(zone.Name) +
+        " that belong to no cell are left out: " + std::to_string(own.Free));
+    }
+    if (!own.IsShown && own.Faces.empty())
+    {
+      continue;
+    }
+    const auto surface = MakeSurface(
+      mesh, own, id, points, pointsOfPiece, (number + 1) * mesh.Piece.GetNumberOfMeshPoints());
     Add<vtkStringArray>(surface->GetFieldData(), "ZoneType")->InsertNextValue(zone.Type);
     blocks->SetBlock(number, surface);
     blocks->GetMetaData(number)->Set(vtkCompositeDataSet::NAME(), zone.Name.c_str());

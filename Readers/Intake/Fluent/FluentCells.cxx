@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Intake/Fluent/FluentCells.h"
 
-#include "Intake/Fluent/FluentText.h"
-#include "Intake/Rows/Bytes.h"
+#include "Base/Number.h"
 
 #include <algorithm>
 
@@ -40,7 +39,6 @@ FluentShape GetFluentShape(FluentElement element, int dimension)
 bool FluentCells::ReadElements(FluentFile& file, const FluentSection& section, Run& run)
 {
   const std::int64_t count = run.End - run.Begin;
-  const char* text = section.Begin;
   const std::int64_t bytes = section.End - section.Begin;
   if (section.IsText() && count > (bytes + 1) / 2)
   {
@@ -49,38 +47,22 @@ bool FluentCells::ReadElements(FluentFile& file, const FluentSection& section, R
       std::to_string(bytes) + " characters");
     return false;
   }
+  Buffer<std::int32_t> values;
+  const std::int64_t size = !section.IsStored    ? file.ReadIntegers(section, values)
+    : file.LoadStored(section, 0, count, values) ? count
+                                                 : 0;
   run.Elements.resize(static_cast<std::size_t>(count));
-  Buffer<std::int32_t> stored;
-  const std::int64_t batch = FluentFile::GetStoredBatch(count);
   for (std::int64_t i = 0; i < count; ++i)
   {
-    if (section.IsStored && i % batch == 0 &&
-      !file.LoadStored(section, i, std::min(batch, count - i), stored))
+    const bool isNumber = i < size;
+    if (!isNumber || values[i] < 0 || values[i] > MaxElement)
     {
-      return false;
-    }
-    std::int64_t value = 0;
-    const char* const place = text;
-    if (section.IsStored)
-    {
-      value = stored[i % batch];
-    }
-    else if (section.IsText())
-    {
-      text = ParseHex(text, section.End, value);
-    }
-    else
-    {
-      value = camaron::Load<std::int32_t>(text, file.IsSwapped());
-      text += 4;
-    }
-    if ((place && !text) || value < 0 || value > MaxElement)
-    {
-      file.FailAt(place, text ? ErrorKind::Index : ErrorKind::Syntax,
+      file.FailAt(FluentFile::FindInteger(section, i),
+        isNumber ? ErrorKind::Index : ErrorKind::Syntax,
         "the type of cell " + std::to_string(run.Begin + i + 1) + " from 0 to 7");
       return false;
     }
-    run.Elements[static_cast<std::size_t>(i)] = camaron::GetElement(value, file.GetDimension());
+    run.Elements[static_cast<std::size_t>(i)] = camaron::GetElement(values[i], file.GetDimension());
   }
   return true;
 }

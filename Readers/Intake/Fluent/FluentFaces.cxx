@@ -9,8 +9,6 @@
 #include <algorithm>
 #include <atomic>
 #include <iterator>
-#include <numeric>
-#include <utility>
 
 namespace camaron
 {
@@ -118,9 +116,7 @@ bool FluentFaces::Open(FluentFile& file, std::int64_t nodes)
       run.Blocks = section->Blocks;
     }
     this->Runs.push_back(std::move(run));
-    this->Lines.push_back(file.FindLines(*section, Progress()));
   }
-  this->Words.resize(this->Runs.size());
   this->LeaveOutInterfaces();
   return true;
 }
@@ -158,310 +154,213 @@ void FluentFaces::LeaveOutInterfaces()
 }
 
 //------------------------------------------------------------------------------
-void FluentFaces::FailAt(
-  const char* place, std::int64_t face, bool isNode, std::int64_t found) const
+// Makes the faces of a batch accessible with which words in the form of a binary file begin, and
+// ends it behind the last complete one. Returns the number of their words.
+std::int64_t FluentFaces::SetWords(const std::int32_t* words, std::int64_t size, Run& batch)
 {
-  this->File->FailAt(place, ErrorKind::Index,
-    std::string(isNode ? "a node" : "a cell") + " of face " + std::to_string(face) + " from " +
-      (isNode ? "1 to " : "0 to ") + std::to_string(isNode ? this->Nodes : this->Cells),
-    std::to_string(found));
-}
-
-//------------------------------------------------------------------------------
-// Reads faces of text, one per line, in parallel; -1 without an error for other layouts and errors.
-std::int64_t FluentFaces::ReadLines(const Run& run, const TextLines& lines,
-  const TextLines::Section& section, Buffer<std::int32_t>& words, const Progress& progress) const
-{
-  const bool isList = run.Size == 0;
-  // The begins of the words of every piece of the text, and the end.
-  std::vector<std::int64_t> places(
-    static_cast<std::size_t>(lines.GetNumberOfPieces(section)) + 1, 0);
-  // First the number of nodes of every face, to allocate exactly the memory needed.
-  if (isList &&
-    !lines.ForEach(section, progress.Part(0, 0.2),
-      [&](vtkIdType piece, vtkIdType, const char* text, const char* end)
-      {
-        std::int64_t size = 0;
-        const bool isRead = ParseFaceSize(text, end, size) != nullptr;
-        places[piece + 1] += 3 + size;
-        return isRead;
-      }))
+  const vtkIdType most = batch.End - batch.Begin;
+  std::int64_t used = 0;
+  vtkIdType faces = batch.Size > 0 ? std::min<vtkIdType>(most, size / (batch.Size + 2)) : 0;
+  batch.Data = reinterpret_cast<const char*>(words);
+  batch.Blocks.clear();
+  for (; batch.Size == 0 && faces < most && used < size; ++faces)
   {
-    return -1;
-  }
-  std::partial_sum(places.begin(), places.end(), places.begin());
-  const std::vector<std::int64_t> ends(places.begin() + 1, places.end());
-  const std::int64_t total =
-    isList ? places.back() : section.NumberOfLines * (vtkIdType(run.Size) + 2);
-  words = words.size() < total ? Buffer<std::int32_t>(total) : std::move(words);
-  const bool good = lines.ForEach(section, progress.Part(0.2, 1),
-    [&](vtkIdType piece, vtkIdType line, const char* text, const char* end)
+    const std::int32_t own = words[used];
+    if (own < 0 || own > size - used - 3)
     {
-      std::int64_t size = run.Size;
-      std::int32_t* word = words.data() + (isList ? places[piece] : (size + 2) * line);
-      text = ParseFaceSize(text, end, size);
-      if (!text || (isList && size > ends[piece] - places[piece] - 3))
-      {
-        return false; // the file has changed
-      }
-      if (isList)
-      {
-        *word++ = static_cast<std::int32_t>(size);
-        places[piece] += size + 3;
-      }
-      text = ParseNumbers(text, end, size + 2,
-        [&](std::int64_t i, std::int64_t value)
-        {
-          word[i] = static_cast<std::int32_t>(value);
-          return this->IsId(value, i < size);
-        });
-      return text && SkipSpaceFrom(text, end) == end;
-    });
-  return good ? total : -1;
-}
-
-//------------------------------------------------------------------------------
-// Reads faces of text in any layout.
-std::int64_t FluentFaces::ReadWords(const Run& run, vtkIdType begin, vtkIdType end,
-  const char*& place, Buffer<std::int32_t>& words) const
-{
-  const char* const textEnd = run.Section->End;
-  const bool isList = run.Size == 0;
-  std::vector<std::int32_t> found;
-  found.reserve(static_cast<std::size_t>((isList ? 3 : run.Size + 2) * (end - begin)));
-  std::int64_t face = run.FirstId + begin;
-  const auto read = [&](std::int64_t limit, const char* what)
-  {
-    std::int64_t value = 0;
-    place = SkipSpaceFrom(place, textEnd);
-    const char* const next = ParseHex(place, textEnd, value);
-    if (!next || value > limit)
-    {
-      this->File->FailAt(place,
-        next                 ? ErrorKind::Index
-          : place == textEnd ? ErrorKind::Truncated
-                             : ErrorKind::Syntax,
-        std::string(what) + " of face " + std::to_string(face) + ", a hexadecimal number" +
-          (next ? " up to " + std::to_string(limit) : ""));
-      return std::int64_t(-1);
+      break;
     }
-    found.push_back(static_cast<std::int32_t>(value));
-    place = next;
-    return value;
+    if (faces % BlockSize == 0)
+    {
+      batch.Blocks.push_back(batch.Data + 4 * used);
+    }
+    used += own + 3;
+  }
+  used = batch.Size > 0 ? faces * (batch.Size + 2) : used;
+  batch.DataEnd = batch.Data + 4 * used;
+  batch.End = batch.Begin + faces;
+  return used;
+}
+
+//------------------------------------------------------------------------------
+bool FluentFaces::ForBatchesOfText(const Run& run, FunctionRef<bool(const Run&)> visit) const
+{
+  FluentNumbers<std::int32_t> numbers(run.Section->Begin, run.Section->End);
+  Run batch = run;
+  for (batch.End = run.Begin; batch.End < run.End;)
+  {
+    batch.Begin = batch.End;
+    batch.FirstId = run.FirstId + batch.Begin - run.Begin;
+    std::int64_t used = 0;
+    for (std::ptrdiff_t bytes = numbers.Batch;; bytes *= 2) // until there is a complete face
+    {
+      numbers.Read(bytes);
+      batch.End = run.End;
+      used = SetWords(numbers.GetData(), numbers.GetCount(), batch);
+      if (used > 0 || !numbers.HasMore())
+      {
+        break;
+      }
+    }
+    const auto locate = [&](const char* word)
+    { return SkipSpaceFrom(numbers.Find((word - batch.Data) / 4), numbers.GetEnd()); };
+    if (!this->CheckIds(batch, Progress(), locate))
+    {
+      return false;
+    }
+    if (used == 0)
+    {
+      this->FailInFace(numbers, batch);
+      return false;
+    }
+    numbers.Skip(used);
+    if (!visit(batch))
+    {
+      return false;
+    }
+  }
+  const char* const place = SkipSpaceFrom(numbers.GetBegin(), numbers.GetEnd());
+  if (place != numbers.GetEnd())
+  {
+    this->File->FailAt(place, ErrorKind::Count,
+      "the end of the section after " + std::to_string(run.End - run.Begin) + " faces");
+  }
+  return place == numbers.GetEnd();
+}
+
+//------------------------------------------------------------------------------
+// The error of a text in which the next face is incomplete.
+void FluentFaces::FailInFace(const FluentNumbers<std::int32_t>& numbers, const Run& batch) const
+{
+  const char* const end = numbers.GetEnd();
+  const std::int64_t mostNodes = (end - numbers.GetBegin()) / 2;
+  const int isList = batch.Size == 0;
+  const std::int64_t size = isList && numbers.GetCount() > 0 ? numbers.GetData()[0] : batch.Size;
+  const std::int64_t word = size > mostNodes ? 0 : numbers.GetCount(); // of the face
+  const bool isSize = isList && word == 0;
+  const char* const place = SkipSpaceFrom(numbers.Find(word), end);
+  std::int64_t value = 0;
+  const bool isLarge = ParseHex(place, end, value) != nullptr;
+  this->File->FailAt(place,
+    isLarge          ? ErrorKind::Index
+      : place == end ? ErrorKind::Truncated
+                     : ErrorKind::Syntax,
+    std::string(isSize         ? "the number of nodes"
+        : word < size + isList ? "a node"
+                               : "a cell") +
+      " of face " + std::to_string(batch.FirstId) + ", a hexadecimal number" +
+      (isLarge ? " up to " + std::to_string(isSize ? mostNodes : INT32_MAX) : ""));
+}
+
+//------------------------------------------------------------------------------
+bool FluentFaces::ForBatchesOf(
+  const Run& run, bool inOrder, const Progress& progress, VisitBatch visit) const
+{
+  const auto visitPart = [&](const Run& batch)
+  {
+    const auto count = static_cast<double>(std::max<vtkIdType>(run.End - run.Begin, 1));
+    return visit(batch,
+      progress.Part(static_cast<double>(batch.Begin - run.Begin) / count,
+        static_cast<double>(batch.End - run.Begin) / count));
   };
-  for (; face < run.FirstId + end; ++face)
+  if (run.IsInFile())
   {
-    std::int64_t size = run.Size;
-    if (isList && (size = read((textEnd - place) / 2, "the number of nodes")) < 0)
-    {
-      return -1;
-    }
-    for (std::int64_t i = 0; i < size + 2; ++i)
-    {
-      const bool isNode = i < size;
-      const char* const before = place;
-      const std::int64_t value = read(INT32_MAX, isNode ? "a node" : "a cell");
-      if (value >= 0 && !this->IsId(value, isNode))
-      {
-        this->FailAt(SkipSpaceFrom(before, textEnd), face, isNode, value);
-      }
-      if (this->File->HasFailed())
-      {
-        return -1;
-      }
-    }
+    return visit(run, progress);
   }
-  words = Buffer<std::int32_t>(static_cast<vtkIdType>(found.size()));
-  std::copy(found.begin(), found.end(), words.data());
-  return words.size();
-}
-
-//------------------------------------------------------------------------------
-std::int64_t FluentFaces::Load(const Run& run, vtkIdType begin, vtkIdType end, const char*& place,
-  Buffer<std::int32_t>& words, const Progress& progress) const
-{
-  if (run.Section->IsStored)
+  if (run.Section->IsText())
   {
-    return this->File->LoadStored(*run.Section, begin, end - begin, words) ? words.size() : -1;
+    return this->ForBatchesOfText(run, visitPart) && !progress.IsStopped();
   }
-  const TextLines* const lines =
-    this->Lines[static_cast<std::size_t>(&run - this->Runs.data())].get();
-  const TextLines::Section section = lines ? lines->Find(place, end - begin) : TextLines::Section();
-  std::int64_t size = section ? this->ReadLines(run, *lines, section, words, progress) : -1;
-  place = size >= 0 ? section.End : place;
-  size = size < 0 && !progress.IsStopped() ? this->ReadWords(run, begin, end, place, words) : size;
-  if (size >= 0 && end == run.End - run.Begin)
-  {
-    place = SkipSpaceFrom(place, run.Section->End);
-    if (place != run.Section->End)
-    {
-      this->File->FailAt(
-        place, ErrorKind::Count, "the end of the section after " + std::to_string(end) + " faces");
-      return -1;
-    }
-  }
-  return size;
-}
-
-//------------------------------------------------------------------------------
-// Makes faces in the form of a binary file accessible; false if these are other ones.
-bool FluentFaces::SetWords(const std::int32_t* words, std::int64_t size, Run& run)
-{
-  const vtkIdType count = run.End - run.Begin;
-  run.Data = reinterpret_cast<const char*>(words);
-  run.DataEnd = run.Data + 4 * size;
-  run.Blocks.clear();
-  if (run.Size > 0)
-  {
-    return 4 * size == count * GetStride(run.Size);
-  }
-  const char* place = run.Data;
-  for (vtkIdType i = 0; i < count; ++i)
-  {
-    if (i % BlockSize == 0)
-    {
-      run.Blocks.push_back(place);
-    }
-    const std::int32_t own =
-      run.DataEnd - place >= 4 ? camaron::Load<std::int32_t>(place, false) : -1;
-    if (own < 0 || run.DataEnd - place < GetStride(own) + 4)
-    {
-      return false;
-    }
-    place += GetStride(own) + 4;
-  }
-  return true;
-}
-
-//------------------------------------------------------------------------------
-bool FluentFaces::Keep(bool boundariesOnly, const Progress& progress)
-{
-  for (std::size_t i = 0; i < this->Runs.size(); ++i)
-  {
-    Run& run = this->Runs[i];
-    if (run.Data || (boundariesOnly && !run.IsOfBoundary()))
-    {
-      continue;
-    }
-    const char* place = run.Section->Begin;
-    const std::int64_t size = this->Load(run, 0, run.End - run.Begin, place, this->Words[i],
-      this->GetPart(progress, run.Begin, run.End));
-    if (size < 0 || !SetWords(this->Words[i].data(), size, run))
-    {
-      return false;
-    }
-  }
-  return !progress.IsStopped();
-}
-
-//------------------------------------------------------------------------------
-void FluentFaces::KeepBoundariesOnly()
-{
-  for (std::size_t i = 0; i < this->Runs.size(); ++i)
-  {
-    if (this->Words[i].size() > 0 && !this->Runs[i].IsOfBoundary())
-    {
-      this->Runs[i].Data = nullptr;
-      this->Runs[i].Blocks.clear();
-      this->Words[i] = Buffer<std::int32_t>();
-    }
-  }
+  PieceExchange none(nullptr);
+  PieceExchange& exchange = inOrder || !this->File->Exchange ? none : *this->File->Exchange;
+  return exchange.ForBatches<std::int32_t>(
+           run.Begin, run.End - run.Begin, FluentFile::GetStoredBatch(this->GetCount()),
+           [&](std::int64_t begin, std::int64_t end, Buffer<std::int32_t>& words) -> std::int64_t
+           {
+             return this->File->LoadStored(*run.Section, begin, end - begin, words) ? words.size()
+                                                                                    : -1;
+           },
+           [&](std::int64_t begin, std::int64_t end, const std::int32_t* words, std::int64_t size)
+           {
+             Run batch = run;
+             batch.Begin = run.Begin + begin;
+             batch.End = run.Begin + end;
+             batch.FirstId = run.FirstId + begin;
+             if (SetWords(words, size, batch) != size || batch.End != run.Begin + end)
+             {
+               this->File->Fail(
+                 ErrorKind::Changed, "the same file in all processes", "other faces in some");
+               return false;
+             }
+             return visitPart(batch);
+           }) &&
+    !progress.IsStopped();
 }
 
 //------------------------------------------------------------------------------
 bool FluentFaces::ForEachBatch(const Progress& progress, bool inOrder, VisitBatch visit) const
 {
-  vtkIdType done = 0;
-  const auto visitNext = [&](const Run& batch)
-  {
-    const vtkIdType before = std::exchange(done, done + (batch.End - batch.Begin));
-    return visit(batch, this->GetPart(progress, before, done));
-  };
-  PieceExchange none(nullptr);
-  for (const Run& run : this->Runs)
-  {
-    if (run.Data)
-    {
-      if (!visitNext(run))
-      {
-        return false;
-      }
-      continue;
-    }
-    const bool isShared = run.Section->IsStored && !inOrder && this->File->Exchange;
-    PieceExchange& exchange = isShared ? *this->File->Exchange : none;
-    Run batch = run;
-    const char* place = run.Section->Begin;
-    if (!exchange.ForBatches<std::int32_t>(
-          run.Begin, run.End - run.Begin, FluentFile::GetStoredBatch(this->GetCount()),
-          [&](std::int64_t begin, std::int64_t end, Buffer<std::int32_t>& words)
-          { return this->Load(run, begin, end, place, words, Progress()); },
-          [&](std::int64_t begin, std::int64_t end, const std::int32_t* words, std::int64_t size)
-          {
-            batch.Begin = run.Begin + begin;
-            batch.End = run.Begin + end;
-            batch.FirstId = run.FirstId + begin;
-            if (!SetWords(words, size, batch))
+  return std::all_of(this->Runs.begin(), this->Runs.end(), [&](const Run& run)
+    { return this->ForBatchesOf(run, inOrder, this->GetPart(progress, run), visit); });
+}
+
+//------------------------------------------------------------------------------
+// Checks the ids of nodes and cells; locate(bytes of an id) returns its place in the file.
+bool FluentFaces::CheckIds(
+  const Run& run, const Progress& progress, FunctionRef<const char*(const char*)> locate) const
+{
+  std::atomic<vtkIdType> bad{ run.End };
+  if (!progress.ForBlocks(run.End - run.Begin, BlockSize,
+        [&](vtkIdType first, vtkIdType last)
+        {
+          ForEachOf(run, run.Begin + first, run.Begin + last,
+            [&](vtkIdType position, const FluentFace& face)
             {
-              this->File->Fail(
-                ErrorKind::Changed, "the same file in all processes", "other faces in some");
-              return false;
-            }
-            return visitNext(batch);
-          }))
-    {
-      return false;
-    }
+              bool good = this->IsId(face.GetCell(0), false) && this->IsId(face.GetCell(1), false);
+              for (std::int32_t i = 0; i < face.Nodes.Size; ++i)
+              {
+                good &= this->IsId(face.Nodes[i], true);
+              }
+              if (!good)
+              {
+                LowerTo(bad, position);
+              }
+            });
+        }))
+  {
+    return false;
   }
-  return !progress.IsStopped();
+  if (bad == run.End)
+  {
+    return true;
+  }
+  ForEachOf(run, bad - (bad - run.Begin) % BlockSize, bad + 1,
+    [&](vtkIdType position, const FluentFace& face)
+    {
+      for (std::int32_t i = 0; position == bad && i < face.Nodes.Size + 2; ++i)
+      {
+        const bool isNode = i < face.Nodes.Size;
+        if (!this->IsId(face.Nodes[i], isNode))
+        {
+          this->File->FailAt(locate(face.Nodes.Ids + 4 * std::ptrdiff_t(i)), ErrorKind::Index,
+            std::string(isNode ? "a node" : "a cell") + " of face " +
+              std::to_string(run.FirstId + position - run.Begin) + " from " +
+              (isNode ? "1 to " : "0 to ") + std::to_string(isNode ? this->Nodes : this->Cells),
+            std::to_string(face.Nodes[i]));
+        }
+      }
+    });
+  return false;
 }
 
 //------------------------------------------------------------------------------
 bool FluentFaces::Check(const Progress& progress) const
 {
-  for (const Run& run : this->Runs)
-  {
-    std::atomic<vtkIdType> bad{ run.End };
-    // Notes an invalid face, or says what is wrong with the first one.
-    const auto check = [&](vtkIdType position, const FluentFace& face, bool says)
+  return std::all_of(this->Runs.begin(), this->Runs.end(),
+    [&](const Run& run)
     {
-      const std::int32_t size = face.Nodes.Size;
-      bool good = this->IsId(face.GetCell(0), false) && this->IsId(face.GetCell(1), false);
-      for (std::int32_t i = 0; i < size; ++i)
-      {
-        good &= this->IsId(face.Nodes[i], true);
-      }
-      if (!good)
-      {
-        LowerTo(bad, position);
-      }
-      for (std::int32_t i = 0; !good && says && position == bad && i < size + 2; ++i)
-      {
-        if (!this->IsId(face.Nodes[i], i < size))
-        {
-          this->FailAt(face.Nodes.Ids + 4 * std::ptrdiff_t(i), run.FirstId + position - run.Begin,
-            i < size, face.Nodes[i]);
-        }
-      }
-    };
-    const auto checkAll = [&](vtkIdType begin, vtkIdType end, bool says)
-    {
-      ForEachOf(run, begin, end,
-        [&](vtkIdType position, const FluentFace& face) { check(position, face, says); });
-    };
-    const vtkIdType count = run.IsInFile() ? run.End - run.Begin : 0;
-    if (!this->GetPart(progress, run.Begin, run.End)
-          .ForBlocks(count, BlockSize, [&](vtkIdType first, vtkIdType last)
-            { checkAll(run.Begin + first, run.Begin + last, false); }))
-    {
-      return false;
-    }
-    if (bad < run.End)
-    {
-      checkAll(bad - (bad - run.Begin) % BlockSize, bad + 1, true);
-      return false;
-    }
-  }
-  return true;
+      return !run.IsInFile() ||
+        this->CheckIds(run, this->GetPart(progress, run), [](const char* place) { return place; });
+    });
 }
 }

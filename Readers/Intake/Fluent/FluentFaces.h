@@ -5,8 +5,8 @@
  * @brief All faces of a Fluent file: their nodes, and the cells on both sides.
  *
  * Binary faces are read in place; those in text, and stored ones, are converted to the form of a
- * binary file: batch by batch whenever they are visited, or once if they are kept. Faces are
- * numbered by position, in the order of their ids.
+ * binary file, batch by batch, whenever they are visited. Faces are numbered by position, in the
+ * order of their ids.
  */
 #ifndef camaron_FluentFaces_h
 #define camaron_FluentFaces_h
@@ -14,12 +14,13 @@
 #include "Base/Buffer.h"
 #include "Base/FunctionRef.h"
 #include "Intake/Fluent/FluentFile.h"
+#include "Intake/Fluent/FluentNumbers.h"
 #include "Intake/Rows/Bytes.h"
 #include "Intake/Rows/IdLists.h"
 
-#include <memory> // for lines
-#include <string> // for names of types
-#include <vector> // for runs
+#include <algorithm> // for shares
+#include <string>    // for names of types
+#include <vector>    // for runs
 
 namespace camaron
 {
@@ -85,11 +86,6 @@ public:
   bool Open(FluentFile& file, std::int64_t nodes);
   void SetNumberOfCells(std::int64_t cells) { this->Cells = cells; }
 
-  /// Keeps all faces in memory, or only those of boundaries, for ForEachOf. False with the error in
-  /// the file, or if aborted.
-  bool Keep(bool boundariesOnly, const Progress& progress);
-  /// Releases the memory of all faces except those of boundaries.
-  void KeepBoundariesOnly();
   /// Checks the ids of nodes and cells in place; all others are checked when they are loaded. False
   /// with the error in the file, or if aborted.
   bool Check(const Progress& progress) const;
@@ -100,13 +96,16 @@ public:
   /// Position of the face with an id, or -1.
   vtkIdType FindId(std::int64_t id) const;
 
+  ///@{
   /**
-   * Calls visit(batch, progress) for runs, or consecutive faces of one, in memory, until it returns
-   * false. False if it did, with the error in the file, or if aborted.
+   * Calls visit(batch, progress) for runs, or for consecutive faces of one, in memory, until it
+   * returns false. False if it did, with the error in the file, or if aborted.
    * @param inOrder whether the order matters; otherwise processes share the work of loading
    */
   using VisitBatch = FunctionRef<bool(const Run& batch, const Progress& progress)>;
   bool ForEachBatch(const Progress& progress, bool inOrder, VisitBatch visit) const;
+  bool ForBatchesOf(const Run& run, bool inOrder, const Progress& progress, VisitBatch visit) const;
+  ///@}
 
   /// Calls visit(run, position, face) for all faces in parallel, ascending in each thread; false
   /// with the error in the file, or if aborted.
@@ -158,10 +157,11 @@ private:
     return { { place + 4, size >= 0 && size <= room ? size : 0, run.Swap } };
   }
 
-  Progress GetPart(const Progress& progress, vtkIdType begin, vtkIdType end) const
+  Progress GetPart(const Progress& progress, const Run& run) const
   {
-    const auto count = static_cast<double>(this->GetCount());
-    return progress.Part(static_cast<double>(begin) / count, static_cast<double>(end) / count);
+    const auto count = static_cast<double>(std::max<vtkIdType>(this->GetCount(), 1));
+    return progress.Part(
+      static_cast<double>(run.Begin) / count, static_cast<double>(run.End) / count);
   }
   bool CheckSection(const FluentSection& section, std::int64_t lastId);
   void LeaveOutInterfaces();
@@ -170,23 +170,15 @@ private:
     return isNode ? static_cast<std::uint64_t>(value - 1) < static_cast<std::uint64_t>(this->Nodes)
                   : static_cast<std::uint64_t>(value) <= static_cast<std::uint64_t>(this->Cells);
   }
-  /// An error at the id of a node or cell of a face.
-  void FailAt(const char* place, std::int64_t face, bool isNode, std::int64_t found) const;
-  /// Sets @a words to the next faces of a run that is not in memory, from a place in its text on,
-  /// which moves past them; returns their number, or -1 with the error in the file.
-  std::int64_t Load(const Run& run, vtkIdType begin, vtkIdType end, const char*& place,
-    Buffer<std::int32_t>& words, const Progress& progress) const;
-  std::int64_t ReadLines(const Run& run, const TextLines& lines, const TextLines::Section& section,
-    Buffer<std::int32_t>& words, const Progress& progress) const;
-  std::int64_t ReadWords(const Run& run, vtkIdType begin, vtkIdType end, const char*& place,
-    Buffer<std::int32_t>& words) const;
-  static bool SetWords(const std::int32_t* words, std::int64_t size, Run& run);
+  bool CheckIds(
+    const Run& run, const Progress& progress, FunctionRef<const char*(const char*)> locate) const;
+  bool ForBatchesOfText(const Run& run, FunctionRef<bool(const Run&)> visit) const;
+  void FailInFace(const FluentNumbers<std::int32_t>& numbers, const Run& batch) const;
+  static std::int64_t SetWords(const std::int32_t* words, std::int64_t size, Run& batch);
 
   FluentFile* File = nullptr;
   std::int64_t Nodes = 0, Cells = 0; ///< greatest ids
   std::vector<Run> Runs;
-  std::vector<std::unique_ptr<TextLines>> Lines; ///< of every run, if it is large text
-  std::vector<Buffer<std::int32_t>> Words;       ///< of every run, if it is kept
 };
 }
 

@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Intake/Fluent/FluentFile.h"
 
+#include "Intake/Fluent/FluentNumbers.h"
 #include "Intake/Fluent/FluentText.h"
-#include "Scan/TextScanner.h"
+#include "Intake/Rows/Bytes.h"
+#include "Scan/ScanError.h"
 
 #include <algorithm>
 #include <string_view>
@@ -81,17 +83,29 @@ bool FluentFile::CheckIds(const FluentSection& section, std::int64_t lastId,
 }
 
 //------------------------------------------------------------------------------
-std::unique_ptr<TextLines> FluentFile::FindLines(
-  const FluentSection& section, const Progress& progress) const
+std::int64_t FluentFile::ReadIntegers(
+  const FluentSection& section, Buffer<std::int32_t>& values) const
 {
-  if (!section.IsText() || section.End - section.Begin < 2 * TextLines::DefaultChunk)
+  if (section.IsText())
   {
-    return nullptr;
+    FluentNumbers<std::int32_t> numbers(section.Begin, section.End);
+    numbers.Read(numbers.All);
+    values = numbers.Take();
+    return numbers.GetCount();
   }
-  TextScanner scanner("", this->Begin, section.End);
-  scanner.SetPosition(section.Begin);
-  constexpr vtkIdType MaxChunk = vtkIdType(1) << 16; // several per batch of faces
-  return std::make_unique<TextLines>(
-    scanner, progress, std::min(TextLines::DefaultChunk, MaxChunk));
+  const std::int64_t count = (section.End - section.Begin) / 4;
+  values = Buffer<std::int32_t>(count);
+  for (std::int64_t i = 0; i < count; ++i)
+  {
+    values[i] = Load<std::int32_t>(section.Begin + 4 * i, this->IsSwapped());
+  }
+  return count;
+}
+
+//------------------------------------------------------------------------------
+const char* FluentFile::FindInteger(const FluentSection& section, std::int64_t i)
+{
+  return section.IsText() ? FluentNumbers<std::int32_t>(section.Begin, section.End).Find(i)
+                          : section.Begin + 4 * i;
 }
 }

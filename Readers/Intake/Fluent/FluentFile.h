@@ -10,13 +10,13 @@
 #define camaron_FluentFile_h
 
 #include "Base/Buffer.h"
+#include "Base/Progress.h"
 #include "Intake/Pieces/PieceExchange.h"
-#include "Intake/Rows/TextLines.h"
+#include "Scan/ScanError.h"
 
 #include <algorithm>        // for sizes of batches
 #include <cstdint>          // for integers of known size
 #include <initializer_list> // for headers
-#include <memory>           // for lines
 #include <set>              // for zones
 #include <string>           // for names
 #include <vector>           // for sections
@@ -143,9 +143,12 @@ public:
   ///@}
   /// By which processes share the work of loading; nullptr if they do not.
   PieceExchange* Exchange = nullptr;
-  /// The lines of a section in text that is large enough for parallel reading, else nullptr.
-  std::unique_ptr<TextLines> FindLines(
-    const FluentSection& section, const Progress& progress) const;
+  ///@{
+  /// The integers in the body of a section that is in the file, up to the first word that is none;
+  /// returns their number. And the place of one.
+  std::int64_t ReadIntegers(const FluentSection& section, Buffer<std::int32_t>& values) const;
+  static const char* FindInteger(const FluentSection& section, std::int64_t i);
+  ///@}
 
   /// Sets the error, unless there is one: "place: expected ..., found ...".
   void FailAt(

@@ -14,7 +14,7 @@
 #include <array>
 #include <map>
 #include <mutex>
-#include <numeric>
+#include <vector>
 
 namespace camaron
 {
@@ -27,38 +27,38 @@ using Cells = std::array<vtkIdType, 2>; // on both sides of a face, -1 for none
 using JoinedFaces = std::map<vtkIdType, Cells>;
 
 //------------------------------------------------------------------------------
-// Ids of faces whose cells cannot be right.
+// Ids of faces whose cells cannot be right: interior ones without the first or the second cell, and
+// those with the same cell on both sides.
 struct OddFaces
 {
-  Tally OneSided[2]; // without a cell on this side, although they are interior
-  Tally SameCell;
+  Tally Kinds[3];
 
   void Add(const FluentFaces::Run& run, vtkIdType position, const FluentFace& face)
   {
-    const bool isSame = face.GetCell(0) == face.GetCell(1);
-    Tally& tally = isSame ? this->SameCell : this->OneSided[face.GetCell(0) == 0 ? 0 : 1];
-    tally.Add(run.FirstId + position - run.Begin);
+    const int kind = face.GetCell(0) == face.GetCell(1) ? 2 : face.GetCell(0) == 0 ? 0 : 1;
+    this->Kinds[kind].Add(run.FirstId + position - run.Begin);
   }
   void Warn(const FluentFile& file, Warnings& warnings) const
   {
-    const auto warn = [&](const Tally& tally, int side, const char* what)
-    { warnings.Add(tally, "face", "faces", what, file.LocateCell(tally.First, side).c_str()); };
-    for (int side = 0; side < 2; ++side)
+    static constexpr const char* What[] = { "of interior zones without the first cell (c0)",
+      "of interior zones without the second cell (c1)",
+      "with the same cell on both sides (c0 and c1)" };
+    for (int kind = 0; kind < 3; ++kind)
     {
-      warn(this->OneSided[side], side,
-        side == 0 ? "of interior zones without the first cell (c0)"
-                  : "of interior zones without the second cell (c1)");
+      const Tally& tally = this->Kinds[kind];
+      warnings.Add(tally, "face", "faces", What[kind],
+        file.LocateCell(tally.First, kind == 0 ? 0 : 1).c_str());
     }
-    warn(this->SameCell, 1, "with the same cell on both sides (c0 and c1)");
   }
 };
 
 //------------------------------------------------------------------------------
-// The cells of a piece beside a face. Only cells of a declared type have split faces.
-Cells FindCells(const FluentMesh& mesh, const FluentFaces::Run& run, const FluentFace& face)
+// The cells of a piece that a face bounds: a split face has those of a declared type.
+Cells FindCells(
+  const FluentMesh& mesh, const FluentFaces::Run& run, const FluentFace& face, bool isSplit)
 {
-  Cells cells;
-  for (int side = 0; side < 2; ++side)
+  Cells cells = { -1, -1 };
+  for (int side = 0; side < 2 && face.Nodes.Size > 0 && (run.Bounds || isSplit); ++side)
   {
     const vtkIdType cell = mesh.FindCell(face.GetCell(side));
     cells[side] = cell >= 0 && (run.Bounds || mesh.GetShape(cell).Faces > 0) ? cell : -1;
@@ -67,117 +67,157 @@ Cells FindCells(const FluentMesh& mesh, const FluentFaces::Run& run, const Fluen
 }
 
 //------------------------------------------------------------------------------
-// Whether a cell has a face of which this one is a part.
-bool IsJoined(const FluentMesh& mesh, const JoinedFaces& joined, vtkIdType position, vtkIdType cell)
+// The faces of the cells of a piece, in the order of the file.
+class FaceCollection
+{
+public:
+  explicit FaceCollection(const FluentMesh& mesh)
+    : Mesh(mesh)
+    , Split(mesh.SplitFaces.empty() ? 0 : mesh.Faces.GetCount())
+    , Kept(this->Split.GetLimit())
+  {
+    for (const auto& [part, whole] : mesh.SplitFaces)
+    {
+      this->Split.Add(whole);
+    }
+  }
+
+  /// False with the error in the file, or if stopped.
+  bool Read(FluentInteriorZones& zones, const Progress& progress);
+
+  FaceMesh Faces; ///< only FaceWords and Sides
+  JoinedFaces Joined;
+  OddFaces Odd; ///< in the whole mesh
+
+private:
+  /// Some values of the arrays of Faces.
+  struct Part
+  {
+    std::vector<std::int32_t> Words, Sides;
+  };
+  void Add(const FluentFaces::Run& run, vtkIdType position, const FluentFace& face, Part& part);
+  bool IsJoined(vtkIdType position, vtkIdType cell) const;
+
+  const FluentMesh& Mesh;
+  IdSet Split, Kept; ///< positions, if some faces are split
+  std::mutex Mutex;
+};
+
+//------------------------------------------------------------------------------
+// Appends values, with room for those of the whole file if these are from a share of it.
+void Append(const std::vector<std::int32_t>& more, double share, vtkIdType& size,
+  Buffer<std::int32_t>& values)
+{
+  const auto needed = size + static_cast<vtkIdType>(more.size());
+  if (needed > values.size())
+  {
+    Buffer<std::int32_t> larger(static_cast<vtkIdType>(static_cast<double>(needed) / share));
+    std::copy_n(values.data(), size, larger.data());
+    values = std::move(larger);
+  }
+  std::copy(more.begin(), more.end(), values.data() + size);
+  size = needed;
+}
+
+//------------------------------------------------------------------------------
+void FaceCollection::Add(
+  const FluentFaces::Run& run, vtkIdType position, const FluentFace& face, Part& part)
+{
+  const Cells cells = FindCells(this->Mesh, run, face, this->Split.Contains(position));
+  if (run.HasOddCells(face.GetCell(0), face.GetCell(1)) && face.Nodes.Size > 0)
+  {
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    this->Odd.Add(run, position, face);
+  }
+  if (std::max(cells[0], cells[1]) < 0)
+  {
+    return;
+  }
+  part.Words.push_back(face.Nodes.Size);
+  for (std::int32_t i = 0; i < face.Nodes.Size; ++i)
+  {
+    const vtkIdType point = this->Mesh.Piece.FindPoint(face.Nodes[i] - 1);
+    part.Words.push_back(static_cast<std::int32_t>(point));
+  }
+  part.Sides.insert(
+    part.Sides.end(), { static_cast<std::int32_t>(cells[0]), static_cast<std::int32_t>(cells[1]) });
+  this->Kept.Add(position);
+  if (!run.Bounds)
+  {
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    this->Joined.emplace(position, cells);
+  }
+}
+
+//------------------------------------------------------------------------------
+// Whether a cell has a face, or one of which it is a part, although it was split.
+bool FaceCollection::IsJoined(vtkIdType position, vtkIdType cell) const
 {
   constexpr int MaxLevels = 32; // of faces whose parts were split again
-  auto part = mesh.SplitFaces.find(position);
-  for (int level = 0; level < MaxLevels && part != mesh.SplitFaces.end(); ++level)
+  for (int level = 0; level < MaxLevels; ++level)
   {
-    const auto whole = joined.find(part->second);
-    if (whole != joined.end() && (whole->second[0] == cell || whole->second[1] == cell))
+    const auto joined = this->Joined.find(position);
+    if (joined != this->Joined.end() && (joined->second[0] == cell || joined->second[1] == cell))
     {
       return true;
     }
-    part = mesh.SplitFaces.find(part->second);
+    const auto next = this->Mesh.SplitFaces.find(position);
+    position = next != this->Mesh.SplitFaces.end() ? next->second : -1;
   }
   return false;
 }
 
 //------------------------------------------------------------------------------
-// Finds the faces of the cells of a piece, and in the whole mesh those whose cells cannot be right.
-// False if stopped, or if the file has changed.
-bool FindFaces(
-  const FluentMesh& mesh, IdSet& kept, JoinedFaces& joined, OddFaces& odd, const Progress& progress)
+bool FaceCollection::Read(FluentInteriorZones& zones, const Progress& progress)
 {
-  IdSet split(mesh.Faces.GetCount()); // positions
-  for (const auto& [part, whole] : mesh.SplitFaces)
+  constexpr vtkIdType BlockSize = FluentFaces::BlockSize, Step = 64 * BlockSize;
+  Buffer<std::int32_t>&words = this->Faces.FaceWords, &sides = this->Faces.Sides;
+  vtkIdType numberOfWords = 0, numberOfSides = 0;
+  const auto read = [&](const FluentFaces::Run& batch, vtkIdType begin, vtkIdType end)
   {
-    split.Add(whole);
-  }
-  std::mutex mutex;
-  return mesh.Faces.ForEach(progress,
-    [&](const FluentFaces::Run& run, vtkIdType position, const FluentFace& face)
-    {
-      const Cells cells = FindCells(mesh, run, face);
-      if (face.Nodes.Size > 0 && run.HasOddCells(face.GetCell(0), face.GetCell(1)))
+    std::vector<Part> parts(static_cast<std::size_t>((end - begin + BlockSize - 1) / BlockSize));
+    ParallelForEach(static_cast<vtkIdType>(parts.size()), 4,
+      [&](vtkIdType i)
       {
-        const std::lock_guard<std::mutex> lock(mutex);
-        odd.Add(run, position, face);
-      }
-      if (face.Nodes.Size > 0 && (run.Bounds || split.Contains(position)) &&
-        std::max(cells[0], cells[1]) >= 0)
-      {
-        kept.Add(position);
-        if (!run.Bounds)
-        {
-          const std::lock_guard<std::mutex> lock(mutex);
-          joined.emplace(position, cells);
-        }
-      }
-    });
-}
-
-//------------------------------------------------------------------------------
-// Reads the faces that were found, and lists those of every cell. False if stopped, or if the file
-// has changed.
-bool ReadFaces(const FluentMesh& mesh, IdSet& kept, const JoinedFaces& joined, FaceMesh& faces,
-  const Progress& progress)
-{
-  const vtkIdType count = kept.Number();
-  const auto forEachKept = [&](const Progress& part, auto&& visit)
-  {
-    return mesh.Faces.ForEach(part,
-      [&](const FluentFaces::Run& run, vtkIdType position, const FluentFace& face)
-      {
-        if (kept.Contains(position))
-        {
-          visit(run, position, kept.GetNumber(position), face);
-        }
+        const vtkIdType first = begin + i * BlockSize, last = std::min(first + BlockSize, end);
+        zones.Add(batch, first, last, this->Mesh.Cells);
+        FluentFaces::ForEachOf(batch, first, last, [&](vtkIdType position, const FluentFace& face)
+          { this->Add(batch, position, face, parts[i]); });
       });
+    const auto all = 1.1 * static_cast<double>(this->Mesh.Faces.GetCount()); // and a reserve
+    for (const Part& part : parts)
+    {
+      Append(part.Words, static_cast<double>(end) / all, numberOfWords, words);
+      Append(part.Sides, static_cast<double>(end) / all, numberOfSides, sides);
+    }
   };
-  Buffer<vtkIdType> begins(count + 1);
-  begins[0] = 0;
-  if (!forEachKept(progress.Part(0, 0.3),
-        [&](const FluentFaces::Run&, vtkIdType, vtkIdType i, const FluentFace& face)
-        { begins[i + 1] = 1 + face.Nodes.Size; }))
-  {
-    return false;
-  }
-  std::partial_sum(begins.data(), begins.data() + count + 1, begins.data());
-  faces.FaceWords = Buffer<std::int32_t>(begins[count]);
-  faces.Sides = Buffer<std::int32_t>(2 * count);
-  if (!forEachKept(progress.Part(0.3, 0.7),
-        [&](const FluentFaces::Run& run, vtkIdType position, vtkIdType i, const FluentFace& face)
+  if (!this->Mesh.Faces.ForEachBatch(progress, true,
+        [&](const FluentFaces::Run& batch, const Progress& part)
         {
-          std::int32_t* word = faces.FaceWords.data() + begins[i];
-          const auto size = static_cast<std::int32_t>(begins[i + 1] - begins[i] - 1);
-          const bool isSame = face.Nodes.Size == size; // unless the file has just changed
-          *word++ = size;
-          for (std::int32_t node = 0; node < size; ++node)
+          const auto size = static_cast<double>(batch.End - batch.Begin);
+          vtkIdType begin = batch.Begin;
+          for (; begin < batch.End && part.Report(static_cast<double>(begin - batch.Begin) / size);
+            begin += Step)
           {
-            const vtkIdType point = isSame ? mesh.Piece.FindPoint(face.Nodes[node] - 1) : -1;
-            *word++ = static_cast<std::int32_t>(std::max<vtkIdType>(point, 0));
+            read(batch, begin, std::min(begin + Step, batch.End));
           }
-          const Cells cells = FindCells(mesh, run, face);
-          for (int side = 0; side < 2; ++side)
-          {
-            const bool isHere = joined.empty() || !IsJoined(mesh, joined, position, cells[side]);
-            faces.Sides[2 * i + side] = isHere ? static_cast<std::int32_t>(cells[side]) : -1;
-          }
+          return !part.IsStopped();
         }))
   {
     return false;
   }
-  const vtkIdType cells = mesh.Piece.GetNumberOfCells();
-  faces.CellWords = ListFacesOfCells(faces.Sides, cells);
-  faces.FacesOfCells = IdSet(count);
-  faces.FacesOfCells.AddMissing(IdSet(count)); // all
-  IdLists::Expectation pointsOfFaces, facesOfCells;
-  pointsOfFaces.Limit = mesh.Piece.GetNumberOfPoints();
-  facesOfCells.Limit = count;
-  return faces.Faces.Open(faces.FaceWords, count, pointsOfFaces, progress.Part(0.7, 0.9)) &&
-    faces.Cells.Open(faces.CellWords, cells, facesOfCells, progress.Part(0.9, 1));
+  words.Shrink(numberOfWords);
+  sides.Shrink(numberOfSides);
+  this->Kept.Number();
+  for (const auto& [position, whole] : this->Mesh.SplitFaces)
+  {
+    std::int32_t* const cells = sides.data() + 2 * this->Kept.GetNumber(position);
+    for (int side = 0; side < 2 && this->Kept.Contains(position); ++side)
+    {
+      cells[side] = this->IsJoined(whole, cells[side]) ? -1 : cells[side];
+    }
+  }
+  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -225,30 +265,39 @@ void Warn(const FluentMesh& mesh, const IdSet& faceless, const JoinedFaces& join
 }
 
 //------------------------------------------------------------------------------
-bool BuildFluentCells(FluentMesh& mesh, bool isFirstPiece, vtkUnstructuredGrid* grid,
-  Warnings& warnings, ScanError& error, const Progress& progress)
+bool BuildFluentCells(const FluentMesh& mesh, bool isFirstPiece, FluentInteriorZones& zones,
+  vtkUnstructuredGrid* grid, Warnings& warnings, ScanError& error, const Progress& progress)
 {
   const vtkIdType count = mesh.Piece.GetNumberOfCells();
-  IdSet kept(mesh.Faces.GetCount()); // positions
-  JoinedFaces joined;
-  OddFaces odd;
-  const bool areFound = FindFaces(mesh, kept, joined, odd, progress.Part(0, 0.1));
-  if (areFound && isFirstPiece)
+  FaceCollection collection(mesh);
+  FaceMesh& faces = collection.Faces;
+  if (!collection.Read(zones, progress.Part(0, 0.4)))
   {
-    odd.Warn(mesh.Faces.GetFile(), warnings);
+    return false;
   }
-  if (areFound && count == 0)
+  if (isFirstPiece)
+  {
+    collection.Odd.Warn(mesh.Faces.GetFile(), warnings);
+  }
+  if (count == 0)
   {
     return true;
   }
-  FaceMesh faces;
   faces.HasSides = true;
   faces.Dimension = mesh.Dimension;
   faces.Points.Count = mesh.Piece.GetNumberOfPoints();
   faces.Types = Buffer<unsigned char>(count);
   ParallelForEach(
     count, HeavyGrain, [&](vtkIdType cell) { faces.Types[cell] = mesh.GetShape(cell).Type; });
-  if (!areFound || !ReadFaces(mesh, kept, joined, faces, progress.Part(0.1, 0.5)))
+  const vtkIdType numberOfFaces = faces.Sides.size() / 2;
+  faces.CellWords = ListFacesOfCells(faces.Sides, count);
+  faces.FacesOfCells = IdSet(numberOfFaces);
+  faces.FacesOfCells.AddMissing(IdSet(numberOfFaces)); // all
+  IdLists::Expectation pointsOfFaces, facesOfCells;
+  pointsOfFaces.Limit = faces.Points.Count;
+  facesOfCells.Limit = numberOfFaces;
+  if (!faces.Faces.Open(faces.FaceWords, numberOfFaces, pointsOfFaces, progress.Part(0.4, 0.45)) ||
+    !faces.Cells.Open(faces.CellWords, count, facesOfCells, progress.Part(0.45, 0.5)))
   {
     error = progress.IsStopped()
       ? ScanError()
@@ -256,7 +305,6 @@ bool BuildFluentCells(FluentMesh& mesh, bool isFirstPiece, vtkUnstructuredGrid* 
           "expected the same faces in all passes, found different ones" };
     return false;
   }
-  mesh.Faces.KeepBoundariesOnly();
   IdSet faceless(count);
   faces.Cells.ForEach(progress.Part(0.5, 0.5),
     [&](vtkIdType cell, const IdList& list)
@@ -270,7 +318,7 @@ bool BuildFluentCells(FluentMesh& mesh, bool isFirstPiece, vtkUnstructuredGrid* 
   {
     return false;
   }
-  Warn(mesh, faceless, joined, grid, warnings);
+  Warn(mesh, faceless, collection.Joined, grid, warnings);
   return true;
 }
 }

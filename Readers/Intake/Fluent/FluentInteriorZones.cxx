@@ -50,20 +50,6 @@ void FluentInteriorZones::Add(
 }
 
 //------------------------------------------------------------------------------
-bool FluentInteriorZones::AddAll(
-  const FluentFaces& faces, const FluentCells& cells, const Progress& progress)
-{
-  return !this->Several ||
-    faces.ForEachBatch(progress, false,
-      [&](const FluentFaces::Run& batch, const Progress& part)
-      {
-        return part.ForBlocks(batch.End - batch.Begin, FluentFaces::BlockSize,
-          [&](vtkIdType begin, vtkIdType end)
-          { this->Add(batch, batch.Begin + begin, batch.Begin + end, cells); });
-      });
-}
-
-//------------------------------------------------------------------------------
 void FluentInteriorZones::Load(vtkFieldData* fieldData)
 {
   vtkDataArray* const table = fieldData->GetArray(ArrayName);

@@ -35,8 +35,6 @@ public:
   /// Adds faces of a run from @a begin on, which must begin a block, if it is one of several
   /// interior zones. Thread-safe; the order does not matter.
   void Add(const FluentFaces::Run& run, vtkIdType begin, vtkIdType end, const FluentCells& cells);
-  /// Adds all faces; false with the error in the file, or if aborted.
-  bool AddAll(const FluentFaces& faces, const FluentCells& cells, const Progress& progress);
 
   ///@{
   /// The zone of a face, from the array of a mesh that was read; 0 if unknown.

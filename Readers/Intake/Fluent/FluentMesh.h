@@ -64,10 +64,11 @@ struct FluentMesh
  * number of threads.
  *
  * @param isFirstPiece whether this one warns about faces of the whole mesh
- * @return false with the error in @a error, or without one if aborted
+ * @param zones gets the faces if these are several
+ * @return false with the error in the file or in @a error, or without one if aborted
  */
-bool BuildFluentCells(FluentMesh& mesh, bool isFirstPiece, vtkUnstructuredGrid* grid,
-  Warnings& warnings, ScanError& error, const Progress& progress);
+bool BuildFluentCells(const FluentMesh& mesh, bool isFirstPiece, FluentInteriorZones& zones,
+  vtkUnstructuredGrid* grid, Warnings& warnings, ScanError& error, const Progress& progress);
 
 /**
  * Creates the same cells without storing faces, if all are of declared types other than polyhedra,
@@ -84,14 +85,14 @@ void AddFluentZones(const FluentFile& file, vtkFieldData* fieldData);
 
 /**
  * Creates a block, a vtkPolyData, for every face zone, except interior ones and parents of split
- * faces. Faces are oriented outward of their (first) cell. They have the cell arrays "Zone" and
- * "BoundaryType", Fluent's number of the boundary type.
+ * faces, unless there are too many. Faces are oriented outward of their (first) cell. They have the
+ * cell arrays "Zone" and "BoundaryType", Fluent's number of the boundary type.
  * @param points of the piece
- * @param warnings receives the numbers of faces that belong to no cell, by zone; may be nullptr
- * @return false if there are too many zones
+ * @param warnings also receives the numbers of faces that belong to no cell, by zone
+ * @return false with the error in the file, or if aborted
  */
 bool MakeFluentBoundaries(const FluentFile& file, const FluentMesh& mesh, vtkPoints* points,
-  vtkMultiBlockDataSet* blocks, Warnings* warnings);
+  vtkMultiBlockDataSet* blocks, Warnings& warnings);
 
 /**
  * Reads faces that belong to no cell as cells, in the order of the file: polygons, in 2D lines,

@@ -3,6 +3,7 @@
 #include "Intake/Fluent/FluentNodes.h"
 
 #include "Base/Parallel.h"
+#include "Intake/Fluent/FluentNumbers.h"
 #include "Intake/Fluent/FluentText.h"
 
 #include "vtkDoubleArray.h"
@@ -59,60 +60,32 @@ vtkIdType FluentNodes::Count() const
 }
 
 //------------------------------------------------------------------------------
-// Reads nodes of text, from a place on, which moves past them: one per line in parallel, or else in
-// any layout.
-bool FluentNodes::ReadText(const FluentSection& section, const TextLines* lines, std::int64_t first,
-  std::int64_t last, const char*& place, double* values) const
-{
-  const auto parse = [](const char* text, const char* end, double& value)
-  {
-    text = ParseReal(SkipSpaceFrom(text, end), end, value);
-    return text && (text == end || IsSpace(*text)) ? text : nullptr;
-  };
-  const int dimension = this->GetDimension(section);
-  const TextLines::Section rows = lines ? lines->Find(place, last - first) : TextLines::Section();
-  if (rows &&
-    lines->ForEach(rows, Progress(),
-      [&](vtkIdType, vtkIdType row, const char* text, const char* end)
-      {
-        for (int c = 0; c < dimension && text; ++c)
-        {
-          text = parse(text, end, values[dimension * row + c]);
-        }
-        return text && SkipSpaceFrom(text, end) == end;
-      }))
-  {
-    place = rows.End;
-    return true;
-  }
-  for (std::int64_t i = 0; i < (last - first) * dimension; ++i)
-  {
-    place = SkipSpaceFrom(place, section.End);
-    const char* const next = parse(place, section.End, values[i]);
-    if (!next)
-    {
-      this->File.FailAt(place, place == section.End ? ErrorKind::Truncated : ErrorKind::Syntax,
-        "a coordinate of node " + std::to_string(section.Header[1] + first + i / dimension));
-      return false;
-    }
-    place = next;
-  }
-  return true;
-}
-
-//------------------------------------------------------------------------------
 // Passes the nodes of a section, batch by batch.
 bool FluentNodes::VisitSection(
   const FluentSection& section, const Visit& visit, const Progress& progress) const
 {
+  const std::int64_t count = section.GetCount();
+  const int dimension = this->GetDimension(section);
+  std::int64_t done = 0;
+  const auto pass = [&](std::int64_t first, std::int64_t last, const double* values)
+  {
+    ParallelForEach(last - first, MediumGrain,
+      [&](vtkIdType row)
+      {
+        double x[3] = { 0, 0, 0 };
+        std::copy_n(values + dimension * row, dimension, x);
+        visit(section.Header[1] - 1 + first + row, x);
+      });
+    done += last - first;
+    return progress.Report(static_cast<double>(done) / static_cast<double>(count));
+  };
+  if (section.IsText())
+  {
+    return this->VisitText(section, pass);
+  }
   PieceExchange none(nullptr);
   const bool isShared = section.IsStored && this->File.Exchange;
   PieceExchange& exchange = isShared ? *this->File.Exchange : none;
-  const std::unique_ptr<TextLines> lines = this->File.FindLines(section, progress.Part(0, 0.1));
-  const std::int64_t count = section.GetCount();
-  const int dimension = this->GetDimension(section);
-  const char* place = section.Begin; // in text
-  std::int64_t done = 0;
   return exchange.ForBatches<double>(
     -2 - count, count, FluentFile::GetStoredBatch(count), // places unlike those of faces
     [&](std::int64_t begin, std::int64_t end, Buffer<double>& values) -> std::int64_t
@@ -123,42 +96,52 @@ bool FluentNodes::VisitSection(
         return this->File.LoadStored(section, begin, end - begin, values) ? size : -1;
       }
       values = values.size() < size ? Buffer<double>(size) : std::move(values);
-      if (!section.IsText())
-      {
-        ParallelForEach(size, LightGrain,
-          [&](vtkIdType i)
-          {
-            const char* const from = section.Begin + (begin * dimension + i) * section.RealSize;
-            values[i] = section.RealSize == sizeof(float)
-              ? Load<float>(from, this->File.IsSwapped())
-              : Load<double>(from, this->File.IsSwapped());
-          });
-        return size;
-      }
-      if (!this->ReadText(section, lines.get(), begin, end, place, values.data()))
-      {
-        return -1;
-      }
-      place = end == count ? SkipSpaceFrom(place, section.End) : place;
-      if (end == count && place != section.End)
-      {
-        this->File.FailAt(place, ErrorKind::Count,
-          "the end of the section after " + std::to_string(count) + " nodes");
-      }
-      return this->File.HasFailed() ? -1 : size;
+      ParallelForEach(size, LightGrain,
+        [&](vtkIdType i)
+        {
+          const char* const from = section.Begin + (begin * dimension + i) * section.RealSize;
+          values[i] = section.RealSize == sizeof(float)
+            ? Load<float>(from, this->File.IsSwapped())
+            : Load<double>(from, this->File.IsSwapped());
+        });
+      return size;
     },
     [&](std::int64_t first, std::int64_t last, const double* values, std::int64_t size)
+    { return pass(first, size == (last - first) * dimension ? last : first, values); });
+}
+
+//------------------------------------------------------------------------------
+bool FluentNodes::VisitText(const FluentSection& section,
+  FunctionRef<bool(std::int64_t, std::int64_t, const double*)> pass) const
+{
+  const std::int64_t count = section.GetCount();
+  const int dimension = this->GetDimension(section);
+  FluentNumbers<double> numbers(section.Begin, section.End);
+  const auto failAt = [&](std::int64_t word, const std::string& expected, ErrorKind kind)
+  {
+    const char* const place = SkipSpaceFrom(numbers.Find(word), section.End);
+    this->File.FailAt(place, place == section.End ? ErrorKind::Truncated : kind, expected);
+    return false;
+  };
+  for (std::int64_t first = 0; first < count;)
+  {
+    numbers.Read(numbers.Batch);
+    const std::int64_t rows = std::min(count - first, numbers.GetCount() / dimension);
+    if (rows == 0)
     {
-      ParallelForEach(size == (last - first) * dimension ? last - first : 0, MediumGrain,
-        [&](vtkIdType row)
-        {
-          double x[3] = { 0, 0, 0 };
-          std::copy_n(values + dimension * row, dimension, x);
-          visit(section.Header[1] - 1 + first + row, x);
-        });
-      done += last - first;
-      return progress.Report(static_cast<double>(done) / static_cast<double>(count));
-    });
+      const std::int64_t id = section.Header[1] + first;
+      return failAt(
+        numbers.GetCount(), "a coordinate of node " + std::to_string(id), ErrorKind::Syntax);
+    }
+    if (!pass(first, first + rows, numbers.GetData()))
+    {
+      return false;
+    }
+    numbers.Skip(rows * dimension);
+    first += rows;
+  }
+  return SkipSpaceFrom(numbers.GetBegin(), section.End) == section.End ||
+    failAt(0, "the end of the section after " + std::to_string(count) + " nodes", ErrorKind::Count);
 }
 
 //------------------------------------------------------------------------------

@@ -44,10 +44,11 @@ public:
 private:
   using Visit = PieceOfSpace::Visit;
   int GetDimension(const FluentSection& section) const;
-  bool ReadText(const FluentSection& section, const TextLines* lines, std::int64_t first,
-    std::int64_t last, const char*& place, double* values) const;
   bool VisitSection(
     const FluentSection& section, const Visit& visit, const Progress& progress) const;
+  /// Calls pass(first, last, coordinates) until it returns false; false then, or with the error.
+  bool VisitText(const FluentSection& section,
+    FunctionRef<bool(std::int64_t, std::int64_t, const double*)> pass) const;
   template <typename Array, typename Real>
   vtkSmartPointer<vtkDataArray> ReadAs(
     vtkIdType nodes, const IdSet* some, const Progress& progress) const;

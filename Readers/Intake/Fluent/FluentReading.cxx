@@ -6,7 +6,6 @@
 #include "Intake/CellMesh/CellGrid.h"
 #include "Intake/Fluent/FluentMesh.h"
 #include "Intake/Fluent/FluentNodes.h"
-#include "Intake/Fluent/FluentText.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
@@ -67,49 +66,38 @@ bool FluentReading::ReadTree()
 {
   for (const FluentSection& section : this->File.FaceTrees)
   {
-    const char* text = section.Begin;
-    const auto read = [&](std::int64_t& value, const char* what)
+    Buffer<std::int32_t> values;
+    const std::int64_t size = this->File.ReadIntegers(section, values);
+    std::int64_t next = 0;
+    const auto read = [&](const char* what)
     {
-      const char* const place = text;
-      if (section.IsText())
+      if (next == size)
       {
-        text = ParseHex(text, section.End, value);
+        this->File.FailAt(FluentFile::FindInteger(section, size), ErrorKind::Syntax,
+          std::string(what) + ", a hexadecimal number");
+        return std::int32_t(0);
       }
-      else
-      {
-        text = section.End - text < 4 ? nullptr : text + 4;
-        value = text ? Load<std::int32_t>(place, this->File.IsSwapped()) : 0;
-      }
-      if (!text)
-      {
-        this->File.FailAt(place, ErrorKind::Syntax, std::string(what) + ", a hexadecimal number");
-      }
-      return text != nullptr;
+      return values[next++];
     };
     for (std::int64_t id = section.Header[0]; id <= section.Header[1]; ++id)
     {
-      std::int64_t count = 0, part = 0;
       const vtkIdType whole = this->Mesh.Faces.FindId(id);
-      if (!read(count, "the number of parts of a face"))
+      for (std::int32_t count = read("the number of parts of a face"); count > 0; --count)
       {
-        return false;
-      }
-      for (; count > 0; --count)
-      {
-        const char* const place = text;
-        if (!read(part, "a part of a face"))
-        {
-          return false;
-        }
+        const std::int32_t part = read("a part of a face");
         const vtkIdType position = this->Mesh.Faces.FindId(part);
         if (position < 0 || whole < 0)
         {
-          this->File.FailAt(place, ErrorKind::Index,
+          this->File.FailAt(FluentFile::FindInteger(section, next - 1), ErrorKind::Index,
             whole < 0 ? "parts of an existing face" : "an existing face",
             std::to_string(whole < 0 ? id : part));
           return false;
         }
         this->Mesh.SplitFaces.emplace(position, whole);
+      }
+      if (this->File.HasFailed())
+      {
+        return false;
       }
     }
   }
@@ -159,16 +147,10 @@ bool FluentReading::SelectPiece(vtkIdType nodes, const Progress& progress)
 bool FluentReading::ReadCells(
   vtkIdType nodes, vtkUnstructuredGrid* grid, Warnings& warnings, const Progress& progress)
 {
-  FluentFaces& faces = this->Mesh.Faces;
+  const auto check = [&](const Progress& part) { return this->Mesh.Faces.Check(part); };
   const bool isWhole = this->Request.NumberOfPieces <= 1 && !this->File.LeavesOutCells();
-  const auto checkAll = [&](const Progress& part)
-  {
-    return faces.Check(part.Part(0, 0.5)) &&
-      this->Interior.AddAll(faces, this->Mesh.Cells, part.Part(0.5, 1));
-  };
-  if (!this->ReadTree() || !faces.Keep(true, progress.Part(0, 0.1)) ||
-    (!isWhole && !checkAll(progress.Part(0.1, 0.2))) ||
-    !this->SelectPiece(nodes, progress.Part(0.2, 0.3)))
+  if (!this->ReadTree() || (!isWhole && !check(progress.Part(0, 0.1))) ||
+    !this->SelectPiece(nodes, progress.Part(0.1, 0.3)))
   {
     return false;
   }
@@ -178,12 +160,12 @@ bool FluentReading::ReadCells(
     return true;
   }
   if (progress.IsStopped() || this->File.HasFailed() ||
-    (isWhole && !(faces.Keep(false, progress.Part(0.3, 0.4)) && checkAll(progress.Part(0.4, 0.5)))))
+    (isWhole && !check(progress.Part(0.3, 0.4))))
   {
     return false;
   }
-  const bool good = BuildFluentCells(
-    this->Mesh, this->Request.Piece == 0, grid, warnings, this->Error, progress.Part(0.5, 1));
+  const bool good = BuildFluentCells(this->Mesh, this->Request.Piece == 0, this->Interior, grid,
+    warnings, this->Error, progress.Part(0.4, 1));
   if (this->Error)
   {
     this->Error.Message = this->File.GetName() + ": " + this->Error.Message;
@@ -247,7 +229,6 @@ bool FluentReading::Read(vtkUnstructuredGrid* grid, vtkMultiBlockDataSet* bounda
   {
     return false;
   }
-  this->Mesh.Faces.KeepBoundariesOnly();
   const IdSet* const some = this->Mesh.Piece.IsWhole() ? nullptr : &this->Mesh.Piece.GetPoints();
   const auto coordinates = this->Nodes.Read(nodes, some, progress.Part(0.8, 1));
   if (!coordinates)
@@ -259,12 +240,12 @@ bool FluentReading::Read(vtkUnstructuredGrid* grid, vtkMultiBlockDataSet* bounda
   grid->SetPoints(points);
   this->AddArrays(grid);
   AddPieceIds(this->Mesh.Piece, grid);
+  Warnings none;
   if (boundaries &&
     !MakeFluentBoundaries(
-      this->File, this->Mesh, points, boundaries, this->Request.Piece == 0 ? &warnings : nullptr) &&
-    this->Request.Piece == 0)
+      this->File, this->Mesh, points, boundaries, this->Request.Piece == 0 ? warnings : none))
   {
-    warnings.Add("there are too many face zones; boundaries are not shown");
+    return false;
   }
   if (this->Request.Piece == 0 && this->Mesh.Cells.GetNumberOfUndeclared() > 0)
   {

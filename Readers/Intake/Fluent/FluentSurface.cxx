@@ -13,6 +13,7 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
+#include <vector>
 
 namespace camaron
 {
@@ -24,39 +25,37 @@ bool ReadFaces(FluentFile& file, const FluentFaces& faces, CellMesh& mesh, const
   mesh.NumberOfCells = faces.GetCount();
   mesh.Types = Buffer<unsigned char>(mesh.NumberOfCells);
   mesh.Offsets = Buffer<std::int32_t>(mesh.NumberOfCells + 1);
-  std::fill_n(mesh.Offsets.data(), mesh.NumberOfCells + 1, 0);
-  if (!faces.ForEach(progress.Part(0, 0.5),
-        [&](const FluentFaces::Run&, vtkIdType position, const FluentFace& face)
-        { mesh.Offsets[position + 1] = face.Nodes.Size; }))
+  std::vector<std::int32_t> points;
+  const auto add = [&](vtkIdType position, const FluentFace& face)
+  {
+    const std::int32_t size = face.Nodes.Size;
+    mesh.Types[position] = size == 0 ? VTK_EMPTY_CELL
+      : file.GetDimension() == 2     ? VTK_LINE
+                                     : GetPolygonType(size);
+    mesh.Offsets[position] = static_cast<std::int32_t>(points.size());
+    for (std::int32_t i = 0; i < size; ++i)
+    {
+      points.push_back(face.Nodes[i] - 1);
+    }
+  };
+  if (!faces.ForEachBatch(progress, true,
+        [&](const FluentFaces::Run& batch, const Progress& part)
+        {
+          FluentFaces::ForEachOf(batch, batch.Begin, batch.End, add);
+          return part.Report(1);
+        }))
   {
     return false;
   }
-  std::int64_t total = 0;
-  for (vtkIdType cell = 0; cell < mesh.NumberOfCells; ++cell)
+  if (points.size() > INT32_MAX)
   {
-    const std::int32_t size = mesh.Offsets[cell + 1];
-    mesh.Types[cell] = file.GetDimension() == 2 ? VTK_LINE : GetPolygonType(size);
-    mesh.Types[cell] = size == 0 ? VTK_EMPTY_CELL : mesh.Types[cell];
-    total += size;
-    if (total > INT32_MAX)
-    {
-      file.Fail(ErrorKind::Unsupported, "faces with fewer than 2147483648 nodes", "more");
-      return false;
-    }
-    mesh.Offsets[cell + 1] = static_cast<std::int32_t>(total);
+    file.Fail(ErrorKind::Unsupported, "faces with fewer than 2147483648 nodes", "more");
+    return false;
   }
-  mesh.Connectivity = Buffer<std::int32_t>(total);
-  return faces.ForEach(progress.Part(0.5, 1),
-    [&](const FluentFaces::Run&, vtkIdType position, const FluentFace& face)
-    {
-      std::int32_t* const points = mesh.Connectivity.data() + mesh.Offsets[position];
-      // It is the same, unless the file has just changed.
-      const auto size = std::min<vtkIdType>(face.Nodes.Size, mesh.GetSize(position));
-      for (std::int32_t i = 0; i < size; ++i)
-      {
-        points[i] = face.Nodes[i] - 1;
-      }
-    });
+  mesh.Connectivity = Buffer<std::int32_t>(static_cast<vtkIdType>(points.size()));
+  std::copy(points.begin(), points.end(), mesh.Connectivity.data());
+  mesh.Offsets[mesh.NumberOfCells] = static_cast<std::int32_t>(points.size());
+  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -121,8 +120,8 @@ bool ReadFluentSurface(FluentFile& file, FluentFaces& faces, const PieceRequest&
   {
     piece.LeaveOutUnusedPoints();
   }
-  if (!faces.Keep(false, progress.Part(0, 0.3)) || !faces.Check(progress.Part(0.3, 0.4)) ||
-    !ReadFaces(file, faces, mesh, progress.Part(0.4, 0.6)) ||
+  if (!faces.Check(progress.Part(0, 0.2)) ||
+    !ReadFaces(file, faces, mesh, progress.Part(0.2, 0.6)) ||
     !Select(file, faces, mesh, request, piece, progress.Part(0.6, 0.7)))
   {
     return false;
