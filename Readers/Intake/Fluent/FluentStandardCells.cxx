@@ -10,10 +10,8 @@
 #include "vtkSMPTools.h"
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <deque>
-#include <numeric>
 #include <vector>
 
 namespace camaron
@@ -26,9 +24,8 @@ namespace
  * its data to the nodes of the cells on its sides, so only faces of incomplete cells of few faces
  * are stored. Nodes are in the same order as from GridBuilder.
  *
- * Any thread may read a face; it sorts its sides by the shares of their cells, which are sets of
- * cells. Each thread then processes one share, in the order of the faces. So no two threads change
- * the same cell.
+ * The cells are divided into shares. Each thread reads all faces, but only adds them to the cells
+ * of one share, in the order of the faces. So no two threads change the same cell.
  */
 class FluentStandardCells
 {
@@ -45,28 +42,16 @@ public:
 
 private:
   using Id = vtkTypeInt32;
-  struct Face
-  {
-    const char* Nodes; ///< ids of the file, from 1; not checked
-    std::int32_t Size;
-    Id Cells[2]; ///< of the piece, -1 for none
-    Id GetNode(int i, bool swap) const
-    {
-      return Load<std::int32_t>(this->Nodes + 4 * std::ptrdiff_t(i), swap);
-    }
-  };
   struct Side;
   class Share;
   static constexpr int MaxShares = 8;
-  using Begins = std::array<std::uint32_t, MaxShares + 1>;
 
   /// Shares consist of many ranges of cells, so that all are used in every batch.
-  std::size_t GetShare(Id cell) const
+  int GetShare(vtkIdType cell) const
   {
     constexpr int RangeBits = 9;
-    return static_cast<std::size_t>(cell >> RangeBits & (this->NumberOfShares - 1));
+    return static_cast<int>(cell >> RangeBits & (this->NumberOfShares - 1));
   }
-  Begins SortSides(const Face* faces, vtkIdType count, bool swap, Side* sides) const;
 
   bool PlaceMixed();
   unsigned char GetType(vtkIdType cell) const
@@ -77,8 +62,7 @@ private:
   {
     return this->CommonType != 0 ? this->CommonSize * cell : this->Offsets[cell];
   }
-  bool FindFaces(const FluentFaces::Run& run, vtkIdType begin, vtkIdType end, Face* faces) const;
-  bool AreNodesGood(const Face& face, bool swap) const;
+  bool IsGood(const FluentFaces::Run& run, const FluentFace& face, bool hasCell) const;
   bool AddFaces(FluentInteriorZones& zones, const Progress& progress);
   bool Finish(const Progress& progress);
 
@@ -104,13 +88,12 @@ struct FluentStandardCells::Side
 
   /// The normal points into the first cell of the face. Members are written one by one, as copying
   /// the whole object would stall on the pending stores.
-  void Set(const Face& face, int side, bool swap)
+  void Set(const FluentFace& face, int side, vtkIdType cell)
   {
-    this->Cell = face.Cells[side];
-    this->Size = face.Size;
-    const auto set = [&](Id* nodes, auto... indices)
-    { ((*nodes++ = face.GetNode(indices, swap)), ...); };
-    switch (face.Size)
+    this->Cell = static_cast<Id>(cell);
+    this->Size = face.Nodes.Size;
+    const auto set = [&](Id* nodes, auto... indices) { ((*nodes++ = face.Nodes[indices]), ...); };
+    switch (face.Nodes.Size)
     {
       case 2:
         set(this->Nodes, side, 1 - side);
@@ -132,21 +115,63 @@ struct FluentStandardCells::Side
 class FluentStandardCells::Share
 {
 public:
-  explicit Share(FluentStandardCells& cells)
+  Share(FluentStandardCells& cells, int number)
     : Cells(cells)
+    , Number(number)
     , Matcher(PointSource())
   {
   }
 
-  /// False if a face does not fit.
-  bool Add(const Side* sides, vtkIdType size)
+  /// Adds faces of a run from @a begin on, which must begin a block; false if one does not fit.
+  bool Add(const FluentFaces::Run& run, vtkIdType begin, vtkIdType end, FluentInteriorZones& zones)
+  {
+    const FluentMesh& mesh = this->Cells.Mesh;
+    bool good = true;
+    for (int block = 0; begin < end; begin += FluentFaces::BlockSize, ++block)
+    {
+      const vtkIdType last = std::min(begin + FluentFaces::BlockSize, end);
+      const bool isOwn = block % this->Cells.NumberOfShares == this->Number;
+      if (isOwn)
+      {
+        zones.Add(run, begin, last, mesh.Cells);
+      }
+      FluentFaces::ForEachOf(run, begin, last,
+        [&](vtkIdType, const FluentFace& face)
+        {
+          vtkIdType found = -1;
+          for (int side = 0; side < 2; ++side)
+          {
+            const vtkIdType cell = face.Nodes.Size == 0 ? -1 : mesh.FindCell(face.GetCell(side));
+            found = std::max(found, cell);
+            if (cell >= 0 && this->Cells.GetShare(cell) == this->Number)
+            {
+              this->Prefetch(cell);
+              this->Next[this->NumberOfNext++].Set(face, side, cell);
+              good = (this->NumberOfNext < Ahead || this->AddNext()) && good;
+            }
+          }
+          good = (!isOwn || this->Cells.IsGood(run, face, found >= 0)) && good;
+        });
+    }
+    return this->AddNext() && good;
+  }
+
+private:
+  static constexpr int Ahead = 16; // distance of prefetching, in sides
+
+  void Prefetch(vtkIdType cell) const
+  {
+    camaron::Prefetch(&this->Cells.States[cell]);
+    camaron::Prefetch(&this->Cells.Nodes[this->Cells.GetOffset(cell)]);
+  }
+
+  /// Adds the next sides to their cells.
+  bool AddNext()
   {
     bool good = true;
-    for (vtkIdType i = 0; i < size && good; ++i)
+    for (int i = 0; i < this->NumberOfNext && good; ++i)
     {
-      const vtkIdType next = sides[std::min(i + Ahead, size - 1)].Cell;
-      this->Prefetch(next, this->Cells.GetOffset(next));
-      const Side& side = sides[i];
+      const Side& side = this->Next[i];
       const unsigned char type = this->Cells.GetType(side.Cell);
       Id* const nodes = &this->Cells.Nodes[this->Cells.GetOffset(side.Cell)];
       FluentCellState& state = this->Cells.States[side.Cell];
@@ -161,16 +186,8 @@ public:
         (type == VTK_HEXAHEDRON ? side.Size == 4 && AddToHexahedron(nodes, state, side.Nodes)
                                 : this->AddToOther(type, nodes, state, side));
     }
+    this->NumberOfNext = 0;
     return good;
-  }
-
-private:
-  static constexpr vtkIdType Ahead = 16; // distance of prefetching, in sides
-
-  void Prefetch(vtkIdType cell, vtkIdType offset) const
-  {
-    camaron::Prefetch(&this->Cells.States[cell]);
-    camaron::Prefetch(&this->Cells.Nodes[offset]);
   }
 
   /// A face of an incomplete cell.
@@ -233,6 +250,9 @@ private:
   }
 
   FluentStandardCells& Cells;
+  int Number;
+  Side Next[Ahead]; ///< whose cells are being prefetched
+  int NumberOfNext = 0;
   std::deque<Waiting> Kept;
   std::vector<Id> Free; ///< unused positions in Kept
   PrimitiveMatcher Matcher;
@@ -299,74 +319,22 @@ bool FluentStandardCells::PlaceMixed()
 }
 
 //------------------------------------------------------------------------------
-// Checks the nodes of faces without cells in the piece; those of others are checked when the cells
-// are finished.
-bool FluentStandardCells::AreNodesGood(const Face& face, bool swap) const
+// False if ids are invalid, or if BuildFluentCells warns about a face. The nodes of faces of cells
+// are checked when these are finished.
+bool FluentStandardCells::IsGood(
+  const FluentFaces::Run& run, const FluentFace& face, bool hasCell) const
 {
-  const auto maxNode = static_cast<std::uint64_t>(this->Mesh.Piece.GetNumberOfMeshPoints());
-  bool good = true;
-  for (int i = 0; i < face.Size; ++i)
+  const auto maxNode = static_cast<std::uint32_t>(this->Mesh.Piece.GetNumberOfMeshPoints());
+  bool good = !run.HasOddCells(face.GetCell(0), face.GetCell(1));
+  for (int side = 0; side < 2; ++side)
   {
-    good &= static_cast<std::uint32_t>(face.GetNode(i, swap)) - 1 < maxNode;
+    good &= face.GetCell(side) >= 0 && face.GetCell(side) <= this->Mesh.Cells.GetCount();
+  }
+  for (std::int32_t i = 0; i < face.Nodes.Size && !hasCell; ++i)
+  {
+    good &= static_cast<std::uint32_t>(face.Nodes[i]) - 1 < maxNode;
   }
   return good;
-}
-
-//------------------------------------------------------------------------------
-// Faces of one block; false if ids are invalid, or if BuildFluentCells warns about a face.
-bool FluentStandardCells::FindFaces(
-  const FluentFaces::Run& run, vtkIdType begin, vtkIdType end, Face* faces) const
-{
-  bool good = true;
-  FluentFaces::ForEachOf(run, begin, end,
-    [&](vtkIdType position, const FluentFace& record)
-    {
-      Face& face = faces[position - begin];
-      face.Nodes = record.Nodes.Ids;
-      face.Size = record.Nodes.Size;
-      for (int side = 0; side < 2; ++side)
-      {
-        const std::int32_t id = record.GetCell(side);
-        good &= id >= 0 && id <= this->Mesh.Cells.GetCount();
-        face.Cells[side] = face.Size == 0 ? -1 : static_cast<Id>(this->Mesh.FindCell(id));
-      }
-      good &= !run.HasOddCells(record.GetCell(0), record.GetCell(1));
-      if (std::max(face.Cells[0], face.Cells[1]) < 0)
-      {
-        good &= this->AreNodesGood(face, run.Swap);
-      }
-    });
-  return good;
-}
-
-//------------------------------------------------------------------------------
-// Sorts the sides of faces with a cell in the piece by the share of the cell; returns where the
-// shares begin.
-FluentStandardCells::Begins FluentStandardCells::SortSides(
-  const Face* faces, vtkIdType count, bool swap, Side* sides) const
-{
-  Begins begins{};
-  for (vtkIdType i = 0; i < count; ++i)
-  {
-    for (const Id cell : faces[i].Cells)
-    {
-      begins[this->GetShare(std::max(cell, 0)) + 1] += cell >= 0;
-    }
-  }
-  std::partial_sum(begins.begin(), begins.end(), begins.begin());
-  Begins places = begins;
-  for (vtkIdType i = 0; i < count; ++i)
-  {
-    for (int side = 0; side < 2; ++side)
-    {
-      const Id cell = faces[i].Cells[side];
-      if (cell >= 0)
-      {
-        sides[places[this->GetShare(cell)]++].Set(faces[i], side, swap);
-      }
-    }
-  }
-  return begins;
 }
 
 //------------------------------------------------------------------------------
@@ -380,60 +348,27 @@ bool FluentStandardCells::AddFaces(FluentInteriorZones& zones, const Progress& p
   std::deque<Share> shares;
   for (int i = 0; i < this->NumberOfShares; ++i)
   {
-    shares.emplace_back(*this);
+    shares.emplace_back(*this, i);
   }
-  // Large enough that waiting for other threads costs little, and small enough for the processor's
-  // cache, and compared with the memory of the cells.
-  constexpr vtkIdType BlocksPerShare = 32, BlockSize = FluentFaces::BlockSize;
-  constexpr vtkIdType CellsPerBlock = 8 * BlockSize;
-  const vtkIdType most = this->NumberOfShares == 1 ? 1 : this->NumberOfShares * BlocksPerShare;
-  const vtkIdType blocks = std::max<vtkIdType>(1, std::min(most, this->Count / CellsPerBlock));
-  const vtkIdType step = std::min(blocks * BlockSize, this->Mesh.Faces.GetCount());
-  Buffer<Side> sides(2 * step);
-  std::vector<Begins> begins(static_cast<std::size_t>(blocks)); // of shares in sides
+  // Large enough that waiting for other threads costs little.
+  constexpr vtkIdType Step = 64 * FluentFaces::BlockSize;
   return this->Mesh.Faces.ForEachBatch(progress, true,
     [&](const FluentFaces::Run& batch, const Progress& part)
     {
       std::atomic<bool> good{ true };
-      for (vtkIdType begin = batch.Begin; begin < batch.End && batch.Bounds && good; begin += step)
+      const auto size = static_cast<double>(batch.End - batch.Begin);
+      for (vtkIdType begin = batch.Begin; begin < batch.End && batch.Bounds && good; begin += Step)
       {
-        const vtkIdType count = std::min(step, batch.End - begin);
-        const vtkIdType used = (count + BlockSize - 1) / BlockSize;
-        ParallelFor(used, BlocksPerShare / 4,
-          [&](vtkIdType firstBlock, vtkIdType lastBlock)
-          {
-            std::vector<Face> faces(static_cast<std::size_t>(BlockSize));
-            for (vtkIdType block = firstBlock; block < lastBlock; ++block)
-            {
-              const vtkIdType first = begin + block * BlockSize;
-              const vtkIdType last = std::min(first + BlockSize, begin + count);
-              if (!this->FindFaces(batch, first, last, faces.data()))
-              {
-                good = false;
-                continue;
-              }
-              zones.Add(batch, first, last, this->Mesh.Cells);
-              begins[static_cast<std::size_t>(block)] = this->SortSides(
-                faces.data(), last - first, batch.Swap, sides.data() + 2 * block * BlockSize);
-            }
-          });
-        ParallelForEach(good ? this->NumberOfShares : 0, 1,
+        const vtkIdType end = std::min(begin + Step, batch.End);
+        ParallelForEach(this->NumberOfShares, 1,
           [&](vtkIdType share)
           {
-            const auto i = static_cast<std::size_t>(share);
-            for (vtkIdType block = 0; block < used && good; ++block)
+            if (!shares[static_cast<std::size_t>(share)].Add(batch, begin, end, zones))
             {
-              const Begins& places = begins[static_cast<std::size_t>(block)];
-              const Side* const own = sides.data() + 2 * block * BlockSize + places[i];
-              if (!shares[i].Add(own, vtkIdType(places[i + 1]) - places[i]))
-              {
-                good = false;
-              }
+              good = false;
             }
           });
-        good = good &&
-          part.Report(static_cast<double>(begin + count - batch.Begin) /
-            static_cast<double>(batch.End - batch.Begin));
+        good = good && part.Report(static_cast<double>(end - batch.Begin) / size);
       }
       return good.load();
     });
