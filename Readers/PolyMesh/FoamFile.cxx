@@ -24,11 +24,10 @@ FoamFile::FoamFile(const std::filesystem::path& folder, const std::string& name,
     return;
   }
   const std::string order = GetByteOrder() == ByteOrder::Little ? "LSB" : "MSB";
-  const std::string label = encoding.Has64BitLabels ? "64" : "32";
   this->Write("FoamFile\n{\n    version     2.0;\n    format      " +
     std::string(encoding.IsBinary ? "binary" : "ascii") + ";\n    arch        \"" + order +
-    ";label=" + label + ";scalar=64\";\n    class       " + kind + ";\n" +
-    (note.empty() ? "" : "    note        \"" + note + "\";\n") +
+    ";label=" + (encoding.Has64BitLabels ? "64" : "32") + ";scalar=64\";\n    class       " + kind +
+    ";\n" + (note.empty() ? "" : "    note        \"" + note + "\";\n") +
     "    location    \"constant/polyMesh" + (kind == "cellSet" ? "/sets" : "") +
     "\";\n    object      " + name + ";\n}\n");
 }

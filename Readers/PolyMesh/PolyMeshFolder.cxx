@@ -30,16 +30,17 @@ bool IsOfMesh(const fs::path& path)
 }
 
 //------------------------------------------------------------------------------
-void MoveOtherFiles(const fs::path& from, const fs::path& to, std::error_code& reason)
+// The files in a folder that are part of a mesh, or those that are not; none if there is no folder.
+std::vector<fs::path> FindFiles(const fs::path& folder, bool ofMesh)
 {
-  for (fs::directory_iterator entry(from, reason), end; !reason && entry != end;
-    entry.increment(reason))
+  std::vector<fs::path> files;
+  if (fs::exists(folder))
   {
-    if (!IsOfMesh(entry->path()))
-    {
-      fs::rename(entry->path(), to / entry->path().filename(), reason);
-    }
+    const fs::directory_iterator all(folder);
+    std::copy_if(begin(all), end(all), std::back_inserter(files),
+      [&](const fs::path& file) { return IsOfMesh(file) == ofMesh; });
   }
+  return files;
 }
 }
 
@@ -57,121 +58,111 @@ PolyMeshFolder::PolyMeshFolder(const std::string& marker)
 PolyMeshFolder::~PolyMeshFolder()
 {
   std::error_code ignored;
-  if (!this->Temporary.empty())
-  {
-    fs::remove_all(this->Temporary, ignored);
-  }
+  fs::remove_all(this->Temporary, ignored);
   std::for_each(this->Created.rbegin(), this->Created.rend(),
     [&](const fs::path& folder) { fs::remove(folder, ignored); }); // if empty
 }
 
 //------------------------------------------------------------------------------
-bool PolyMeshFolder::Finish(const std::error_code& reason, ScanError& error) const
+bool PolyMeshFolder::Try(ScanError& error, FunctionRef<void()> change) const
 {
-  if (reason)
+  try
   {
-    const bool isFull = reason == std::errc::no_space_on_device;
+    change();
+    return true;
+  }
+  catch (const fs::filesystem_error& failure)
+  {
+    const bool isFull = failure.code() == std::errc::no_space_on_device;
     error = { isFull ? ErrorKind::DiskFull : ErrorKind::Write,
       this->Marker.filename().string() + ": cannot write " + this->Mesh.string() + ": " +
-        reason.message() };
+        failure.code().message() };
+    return false;
   }
-  return !reason;
 }
 
 //------------------------------------------------------------------------------
 bool PolyMeshFolder::Check(bool overwrites, ScanError& error) const
 {
-  const std::string name = this->Marker.filename().string() + ": ";
+  const auto refuse = [&](const std::string& reason)
+  {
+    error = { ErrorKind::Write, this->Marker.filename().string() + ": " + reason };
+    return false;
+  };
   std::error_code unknown;
   const fs::file_status status = fs::symlink_status(this->Mesh, unknown);
   if (fs::exists(status) && !fs::is_directory(status))
   {
-    error = { ErrorKind::Write, name + "expected a folder, found " + this->Mesh.string() };
-    return false;
+    return refuse("expected a folder, found " + this->Mesh.string());
   }
   for (const char* file : { "points", "points.gz" })
   {
     if (!InputFiles::FindProtected((this->Mesh / file).string()).empty())
     {
-      error = { ErrorKind::Write,
-        name + "the mesh was read from this case: write to another folder" };
-      return false;
+      return refuse("the mesh was read from this case: write to another folder");
     }
   }
   // Also of what is left of a mesh, nothing would remain.
-  std::error_code none;
-  for (fs::directory_iterator entry(this->Mesh, none), end; !overwrites && !none && entry != end;
-    entry.increment(none))
-  {
-    if (IsOfMesh(entry->path()))
-    {
-      error = { ErrorKind::Write,
-        name + "expected a case without a mesh, found " + entry->path().string() +
-          ": write to another folder, or set Overwrite" };
-      return false;
-    }
-  }
-  return true;
+  std::vector<fs::path> files;
+  return this->Try(error, [&] { files = FindFiles(this->Mesh, true); }) &&
+    (overwrites || files.empty() ||
+      refuse("expected a case without a mesh, found " + files.front().string() +
+        ": write to another folder, or set Overwrite"));
 }
 
 //------------------------------------------------------------------------------
 bool PolyMeshFolder::Open(bool hasSets, ScanError& error)
 {
-  std::error_code reason;
-  const fs::path constant = this->Mesh.parent_path();
-  for (const fs::path& folder : { constant.parent_path(), constant })
-  {
-    if (!reason && !folder.empty() && fs::create_directory(folder, reason))
+  return this->Try(error,
+    [&]
     {
-      this->Created.push_back(folder);
-    }
-  }
-  const std::string name = "polyMesh." + std::to_string(std::random_device()()) + ".part";
-  if (!reason && fs::create_directory(constant / name, reason))
-  {
-    this->Temporary = constant / name;
-  }
-  if (!reason && hasSets)
-  {
-    fs::create_directory(this->Temporary / "sets", reason);
-  }
-  return this->Finish(reason, error);
+      const fs::path constant = this->Mesh.parent_path();
+      for (const fs::path& folder : { constant.parent_path(), constant })
+      {
+        if (!folder.empty() && fs::create_directory(folder))
+        {
+          this->Created.push_back(folder);
+        }
+      }
+      this->Temporary = constant / ("polyMesh." + std::to_string(std::random_device()()) + ".part");
+      fs::create_directory(this->Temporary);
+      if (hasSets)
+      {
+        fs::create_directory(this->Temporary / "sets");
+      }
+    });
 }
 
 //------------------------------------------------------------------------------
 bool PolyMeshFolder::Commit(ScanError& error)
 {
-  std::error_code reason;
-  const fs::path old = this->Temporary.string() + ".old";
-  const bool hasOld = fs::exists(this->Mesh, reason);
-  if (hasOld)
-  {
-    fs::rename(this->Mesh, old, reason);
-  }
-  if (!reason)
-  {
-    fs::rename(this->Temporary, this->Mesh, reason);
-  }
-  if (reason)
-  {
-    std::error_code ignored;
-    fs::rename(old, this->Mesh, ignored);
-    return this->Finish(reason, error);
-  }
-  this->Temporary.clear();
-  this->Created.clear();
-  if (hasOld)
-  {
-    MoveOtherFiles(old, this->Mesh, reason);
-    if (!reason) // else nothing is lost
+  return this->Try(error,
+    [&]
     {
-      fs::remove_all(old, reason);
-    }
-  }
-  if (!fs::exists(this->Marker, reason) && !std::ofstream(this->Marker))
-  {
-    reason = std::make_error_code(std::errc::permission_denied);
-  }
-  return this->Finish(reason, error);
+      const fs::path old = this->Temporary.string() + ".old";
+      if (fs::exists(this->Mesh))
+      {
+        fs::rename(this->Mesh, old);
+      }
+      std::error_code reason;
+      fs::rename(this->Temporary, this->Mesh, reason);
+      if (reason)
+      {
+        std::error_code ignored;
+        fs::rename(old, this->Mesh, ignored);
+        throw fs::filesystem_error("", reason);
+      }
+      this->Temporary.clear();
+      this->Created.clear();
+      for (const fs::path& file : FindFiles(old, false)) // until all are moved, nothing is lost
+      {
+        fs::rename(file, this->Mesh / file.filename());
+      }
+      fs::remove_all(old);
+      if (!fs::exists(this->Marker) && !std::ofstream(this->Marker))
+      {
+        throw fs::filesystem_error("", std::make_error_code(std::errc::permission_denied));
+      }
+    });
 }
 }

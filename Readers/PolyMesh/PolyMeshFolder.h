@@ -11,6 +11,7 @@
 #ifndef camaron_PolyMeshFolder_h
 #define camaron_PolyMeshFolder_h
 
+#include "Base/FunctionRef.h" // for changes of files
 #include "Scan/ScanError.h"
 
 #include <filesystem> // for paths
@@ -36,7 +37,7 @@ public:
   bool Commit(ScanError& error);
 
 private:
-  bool Finish(const std::error_code& reason, ScanError& error) const;
+  bool Try(ScanError& error, FunctionRef<void()> change) const;
 
   std::filesystem::path Marker, Mesh, Temporary;
   std::vector<std::filesystem::path> Created; ///< folders that were missing, outer first

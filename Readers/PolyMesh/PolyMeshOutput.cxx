@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <tuple>
 
 namespace camaron
@@ -23,12 +24,6 @@ namespace
 constexpr int Symmetry = 7, PeriodicShadow = 8, Periodic = 12;
 // The patch of faces without a zone, as OpenFOAM's own tools name it.
 constexpr const char* DefaultPatch = "defaultFaces";
-
-//------------------------------------------------------------------------------
-std::string GetPatchType(int boundary)
-{
-  return boundary == FluentBoundary::Wall ? "wall" : boundary == Symmetry ? "symmetry" : "patch";
-}
 
 //------------------------------------------------------------------------------
 // The type of a zone, if it is one of Fluent's and not the usual one of fluid cells or interior
@@ -47,15 +42,12 @@ std::string ToWord(std::string name)
   name.resize(std::min(name.size(), Longest));
   for (char& c : name)
   {
-    const auto code = static_cast<unsigned char>(c);
-    c =
-      code <= ' ' || code == 0x7f || std::string_view("\"'/;{}()#$\\").find(c) != std::string::npos
-      ? '_'
-      : c;
+    const bool isSpecial =
+      static_cast<unsigned char>(c) <= ' ' || c == '\x7f' || std::strchr("\"'/;{}()#$\\", c);
+    c = isSpecial ? '_' : c;
   }
-  const bool isNumber = name.empty() || IsDigit(name[0]) ||
-    std::string_view("+-.").find(name[0]) != std::string_view::npos;
-  return isNumber ? "zone_" + name : name;
+  const bool isWord = !name.empty() && !std::strchr("+-.0123456789", name[0]);
+  return isWord ? name : "zone_" + name;
 }
 }
 
@@ -69,11 +61,10 @@ PolyMeshOutput::PolyMeshOutput(vtkDataSet* mesh, double scale)
 }
 
 //------------------------------------------------------------------------------
-void PolyMeshOutput::GetFacePoints(vtkIdType face, std::vector<vtkIdType>& points) const
+void PolyMeshOutput::GetFacePoints(const Face& face, std::vector<vtkIdType>& points) const
 {
-  const Face& own = this->GetFace(face);
-  this->Mesh.GetRing(own.Facet, points);
-  if (own.IsReversed)
+  this->Mesh.GetRing(face.Facet, points);
+  if (face.IsReversed)
   {
     std::reverse(points.begin() + 1, points.end()); // the first point stays the first
   }
@@ -117,19 +108,20 @@ void PolyMeshOutput::FindMirroredCells()
       sets.Join(cells.First, cells.Second);
     }
   }
-  for (vtkIdType cell = 0; cell < size; ++cell) // the first cell of a set stands for it
+  std::vector<double> sums(size, 0.0); // of the sets, for the cell that stands for them
+  for (vtkIdType cell = 0; cell < size; ++cell)
   {
-    volumes[sets.Find(cell)] += sets.Find(cell) != cell ? volumes[cell] : 0;
+    sums[sets.Find(cell)] += volumes[cell];
   }
   this->IsMirrored.resize(size);
   for (vtkIdType cell = 0; cell < size; ++cell)
   {
-    this->IsMirrored[cell] = volumes[sets.Find(cell)] < 0;
+    this->IsMirrored[cell] = sums[sets.Find(cell)] < 0;
   }
 }
 
 //------------------------------------------------------------------------------
-void PolyMeshOutput::CollectFaces()
+void PolyMeshOutput::CollectFaces(Warnings& warnings)
 {
   const std::vector<FluentOutput::Face>& faces = this->Mesh.GetFaces();
   const std::vector<FluentOutput::Section>& sections = this->Mesh.GetFaceSections();
@@ -153,19 +145,13 @@ void PolyMeshOutput::CollectFaces()
         }
       });
   }
-}
-
-//------------------------------------------------------------------------------
-// A face of OpenFOAM leaves one of its cells and enters the other: where neither is so for both,
-// one of them is open.
-void PolyMeshOutput::WarnOfOrientations(Warnings& warnings) const
-{
+  // A face of OpenFOAM leaves one of its cells and enters the other: where neither is so for both,
+  // one of them is open.
   Tally alike;
   for (const Face& face : this->Faces)
   {
     const FacetTable::CellPair cells = this->Facets.GetCells(face.Facet);
-    const bool isShared = face.Neighbor >= 0 && cells.Second >= 0;
-    if (isShared &&
+    if (face.Neighbor >= 0 && cells.Second >= 0 &&
       this->Mesh.AreOpposite(face.Facet) !=
         (this->IsMirrored[cells.First] == this->IsMirrored[cells.Second]))
     {
@@ -174,8 +160,7 @@ void PolyMeshOutput::WarnOfOrientations(Warnings& warnings) const
   }
   warnings.Add(alike, "face", "faces",
     "with the same orientation in both cells, one of which OpenFOAM finds open (identified by "
-    "their "
-    "cell)");
+    "their cell)");
 }
 
 //------------------------------------------------------------------------------
@@ -184,15 +169,8 @@ void PolyMeshOutput::SortFaces()
   const auto interiorEnd = std::stable_partition(
     this->Faces.begin(), this->Faces.end(), [](const Face& face) { return face.Neighbor >= 0; });
   this->NumberOfInteriorFaces = interiorEnd - this->Faces.begin();
-  WithThreads(
-    [&]
-    {
-      vtkSMPTools::Sort(this->Faces.begin(), interiorEnd,
-        [](const Face& a, const Face& b)
-        {
-          return std::tie(a.Owner, a.Neighbor, a.Facet) < std::tie(b.Owner, b.Neighbor, b.Facet);
-        });
-    });
+  vtkSMPTools::Sort(this->Faces.begin(), interiorEnd, [](const Face& a, const Face& b)
+    { return std::tie(a.Owner, a.Neighbor, a.Facet) < std::tie(b.Owner, b.Neighbor, b.Facet); });
   // Sections of one zone are one patch.
   const auto getZone = [this](const Face& face)
   { return this->Mesh.GetFaceSections()[face.Zone].Zone; };
@@ -203,8 +181,7 @@ void PolyMeshOutput::SortFaces()
 //------------------------------------------------------------------------------
 void PolyMeshOutput::NumberPoints(Warnings& warnings)
 {
-  const vtkIdType size = this->Mesh.GetMesh().GetNumberOfPoints();
-  this->UsedPoints = IdSet(size);
+  this->UsedPoints = IdSet(this->Mesh.GetMesh().GetNumberOfPoints());
   const std::vector<FluentOutput::Face>& faces = this->Mesh.GetFaces();
   ParallelFor(static_cast<vtkIdType>(faces.size()), MediumGrain,
     [&](vtkIdType begin, vtkIdType end)
@@ -235,23 +212,6 @@ void PolyMeshOutput::NumberPoints(Warnings& warnings)
 }
 
 //------------------------------------------------------------------------------
-// Points whose coordinates in the file are not finite.
-Tally PolyMeshOutput::FindInfinitePoints() const
-{
-  Tally found;
-  for (vtkIdType point = 0; point < this->GetNumberOfPoints(); ++point)
-  {
-    double x[3];
-    this->GetPoint(point, x);
-    if (!std::all_of(x, x + 3, [](double coordinate) { return std::isfinite(coordinate); }))
-    {
-      found.Add(this->Points[point]);
-    }
-  }
-  return found;
-}
-
-//------------------------------------------------------------------------------
 // A word that is not used yet.
 std::string PolyMeshOutput::MakeName(const std::string& name, std::vector<std::string>& used)
 {
@@ -275,24 +235,26 @@ void PolyMeshOutput::FindPatches(Warnings& warnings)
   const auto& sections = this->Mesh.GetFaceSections();
   std::vector<std::string> used;
   std::string coupled;
-  for (vtkIdType begin = this->NumberOfInteriorFaces; begin < this->GetNumberOfFaces();)
+  const auto count = static_cast<vtkIdType>(this->Faces.size());
+  for (vtkIdType begin = this->NumberOfInteriorFaces, end = begin; begin < count; begin = end)
   {
-    const FluentOutput::Section& section = sections[this->GetFace(begin).Zone];
-    vtkIdType end = begin;
-    while (end < this->GetNumberOfFaces() && sections[this->GetFace(end).Zone].Zone == section.Zone)
+    const FluentOutput::Section& section = sections[this->Faces[begin].Zone];
+    while (end < count && sections[this->Faces[end].Zone].Zone == section.Zone)
     {
       ++end;
     }
     const FluentZone& zone = *this->Mesh.FindZone(section.Zone);
     const std::string name = section.IsMade ? DefaultPatch : zone.Name;
-    const std::string type = section.IsTyped ? GetPatchType(section.Type) : "patch";
+    const std::string type = !section.IsTyped ? "patch"
+      : section.Type == FluentBoundary::Wall  ? "wall"
+      : section.Type == Symmetry              ? "symmetry"
+                                              : "patch";
     const std::string group = section.IsTyped ? GetGroup(zone.Type) : "";
     this->Patches.push_back({ this->MakeName(name, used), type, group, begin, end });
     if (section.Type == Periodic || section.Type == PeriodicShadow)
     {
       coupled += (coupled.empty() ? "" : ", ") + name;
     }
-    begin = end;
   }
   if (!coupled.empty())
   {
@@ -317,15 +279,14 @@ void PolyMeshOutput::FindZones(Warnings& warnings)
   const bool isOnly = std::count_if(sections.begin(), sections.end(), isUnmarked) == 1;
   for (vtkIdType face = 0; face < this->NumberOfInteriorFaces; ++face)
   {
-    const FluentOutput::Section& section = sections[this->GetFace(face).Zone];
-    if (section.IsMade)
+    const FluentOutput::Section& section = sections[this->Faces[face].Zone];
+    if (!section.IsMade)
     {
-      continue;
-    }
-    std::vector<vtkIdType>& zone = faces[section.Zone];
-    if (!isOnly || !isUnmarked(section))
-    {
-      zone.push_back(face);
+      std::vector<vtkIdType>& zone = faces[section.Zone]; // which may stay empty
+      if (!isOnly || !isUnmarked(section))
+      {
+        zone.push_back(face);
+      }
     }
   }
   const auto name = [this](std::map<int, std::vector<vtkIdType>>& lists)
@@ -353,22 +314,7 @@ bool PolyMeshOutput::Build(
   {
     return false;
   }
-  // Whether there are none; else sets the reason.
-  const auto hasNone = [&reason](const Tally& found, const std::string& what, const char* one,
-                         const char* many, const char* element = "cell ")
-  {
-    reason = found.Count == 0 ? ""
-                              : "expected " + what + ", found " + CountOf(found.Count, one, many) +
-        (found.Count > 1 ? ", the first is " : ": ") + element + std::to_string(found.First);
-    return reason.empty();
-  };
-  if (refusesLost &&
-    !hasNone(this->Mesh.GetLostCells(), "2D cells that are faces of 3D cells",
-      "2D cell that is none", "2D cells that are none"))
-  {
-    return false;
-  }
-  Tally own, collapsed;
+  Tally own, collapsed, infinite;
   std::vector<int> sizes(static_cast<std::size_t>(this->GetNumberOfCells()), 0); // numbers of faces
   for (const FluentOutput::Face& face : this->Mesh.GetFaces())
   {
@@ -389,23 +335,43 @@ bool PolyMeshOutput::Build(
       collapsed.Add(this->GetMeshCell(cell));
     }
   }
-  if (!hasNone(own, "faces between different cells", "face that a cell has twice",
-        "faces that a cell has twice") ||
-    !hasNone(this->Mesh.GetOrientation().GetOpenCells(),
-      "closed cells whose edges belong to two faces each", "other cell", "other cells") ||
-    !hasNone(collapsed, "cells of at least 4 faces", "collapsed one", "collapsed ones"))
-  {
-    return false;
-  }
   this->NumberPoints(warnings);
-  if (!hasNone(this->FindInfinitePoints(), "finite coordinates", "point with others",
-        "points with others", "point "))
+  for (vtkIdType point = 0; point < this->GetNumberOfPoints(); ++point)
   {
-    return false;
+    double x[3];
+    this->GetPoint(point, x);
+    if (!std::isfinite(x[0]) || !std::isfinite(x[1]) || !std::isfinite(x[2]))
+    {
+      infinite.Add(this->Points[point]);
+    }
+  }
+  const struct
+  {
+    Tally Found;
+    const char *Expected, *One, *Many;
+    const char* Element = "cell ";
+  } faults[] = { { refusesLost ? this->Mesh.GetLostCells() : Tally(),
+                   "2D cells that are faces of 3D cells", "2D cell that is none",
+                   "2D cells that are none" },
+    { own, "faces between different cells", "face that a cell has twice",
+      "faces that a cell has twice" },
+    { this->Mesh.GetOrientation().GetOpenCells(),
+      "closed cells whose edges belong to two faces each", "other cell", "other cells" },
+    { collapsed, "cells of at least 4 faces", "collapsed one", "collapsed ones" },
+    { infinite, "finite coordinates", "point with others", "points with others", "point " } };
+  for (const auto& fault : faults)
+  {
+    if (fault.Found.Count > 0)
+    {
+      reason = std::string("expected ") + fault.Expected + ", found " +
+        CountOf(fault.Found.Count, fault.One, fault.Many) +
+        (fault.Found.Count > 1 ? ", the first is " : ": ") + fault.Element +
+        std::to_string(fault.Found.First);
+      return false;
+    }
   }
   this->FindMirroredCells();
-  this->CollectFaces();
-  this->WarnOfOrientations(warnings);
+  this->CollectFaces(warnings);
   this->SortFaces();
   this->FindPatches(warnings);
   this->FindZones(warnings);

@@ -49,16 +49,19 @@ public:
   /// The cell of the mesh that a cell is.
   vtkIdType GetMeshCell(vtkIdType cell) const { return this->Mesh.GetMeshCell(cell); }
 
-  ///@{
-  /// Faces, those between two cells first.
-  vtkIdType GetNumberOfFaces() const { return static_cast<vtkIdType>(this->Faces.size()); }
+  struct Face
+  {
+    Index Facet;
+    std::int32_t Owner, Neighbor; ///< -1 for none
+    std::int32_t Size;
+    int Zone; ///< index of a section of FluentOutput
+    bool IsReversed;
+  };
+  /// Those between two cells come first.
+  const std::vector<Face>& GetFaces() const { return this->Faces; }
   vtkIdType GetNumberOfInteriorFaces() const { return this->NumberOfInteriorFaces; }
-  vtkIdType GetOwner(vtkIdType face) const { return this->GetFace(face).Owner; }
-  vtkIdType GetNeighbor(vtkIdType face) const { return this->GetFace(face).Neighbor; }
-  vtkIdType GetFaceSize(vtkIdType face) const { return this->GetFace(face).Size; }
   /// Points of a face, outward of its owner; @a points is overwritten.
-  void GetFacePoints(vtkIdType face, std::vector<vtkIdType>& points) const;
-  ///@}
+  void GetFacePoints(const Face& face, std::vector<vtkIdType>& points) const;
 
   /// Consecutive faces at the boundary.
   struct Patch
@@ -80,22 +83,10 @@ public:
   const std::vector<Zone>& GetFaceZones() const { return this->FaceZones; }
 
 private:
-  struct Face
-  {
-    Index Facet;
-    std::int32_t Owner, Neighbor; ///< -1 for none
-    std::int32_t Size;
-    int Zone; ///< index of a section of FluentOutput
-    bool IsReversed;
-  };
-  const Face& GetFace(vtkIdType face) const { return this->Faces[face]; }
-
   void FindMirroredCells();
-  void CollectFaces();
-  void WarnOfOrientations(Warnings& warnings) const;
+  void CollectFaces(Warnings& warnings);
   void SortFaces();
   void NumberPoints(Warnings& warnings);
-  Tally FindInfinitePoints() const;
   void FindPatches(Warnings& warnings);
   void FindZones(Warnings& warnings);
   std::string MakeName(const std::string& name, std::vector<std::string>& used);

@@ -71,20 +71,21 @@ struct Writing
   /// In text the points of each face; in binary the offsets of all faces, then their points.
   bool WriteFaces(const Progress& progress)
   {
-    const vtkIdType count = this->Mesh.GetNumberOfFaces();
+    const std::vector<PolyMeshOutput::Face>& faces = this->Mesh.GetFaces();
+    const auto count = static_cast<vtkIdType>(faces.size());
     const bool isBinary = this->Encoding.IsBinary;
     FoamFile file(this->Folder, "faces", isBinary ? "faceCompactList" : "faceList", this->Encoding);
     std::vector<vtkIdType> offsets(1, 0);
     for (vtkIdType face = 0; isBinary && face < count; ++face)
     {
-      offsets.push_back(offsets.back() + this->Mesh.GetFaceSize(face));
+      offsets.push_back(offsets.back() + faces[face].Size);
     }
     const bool good = (!isBinary || file.WriteLabels(offsets, progress.Part(0, 0.3))) &&
       file.WriteList(isBinary ? offsets.back() : count, count, progress.Part(0.3, 1),
         [&](vtkIdType face, std::string& bytes)
         {
           thread_local std::vector<vtkIdType> points;
-          this->Mesh.GetFacePoints(face, points);
+          this->Mesh.GetFacePoints(faces[face], points);
           bytes += isBinary ? "" : std::to_string(points.size()) + "(";
           for (const vtkIdType& point : points)
           {
@@ -97,21 +98,22 @@ struct Writing
 
   bool WriteCellsOfFaces(const Progress& progress)
   {
+    const std::vector<PolyMeshOutput::Face>& faces = this->Mesh.GetFaces();
     const vtkIdType inside = this->Mesh.GetNumberOfInteriorFaces();
     const std::string note = "nPoints:" + std::to_string(this->Mesh.GetNumberOfPoints()) +
       "  nCells:" + std::to_string(this->Mesh.GetNumberOfCells()) +
-      "  nFaces:" + std::to_string(this->Mesh.GetNumberOfFaces()) +
-      "  nInternalFaces:" + std::to_string(inside);
-    const auto write =
-      [&](const char* name, vtkIdType count, const Progress& part, const auto& getCell)
+      "  nFaces:" + std::to_string(faces.size()) + "  nInternalFaces:" + std::to_string(inside);
+    const auto write = [&](const char* name, vtkIdType count, const Progress& part,
+                         std::int32_t PolyMeshOutput::Face::* cell)
     {
       FoamFile file(this->Folder, name, "labelList", this->Encoding, note);
-      return file.Finish(file.WriteLabels(count, part, getCell), this->Error);
+      const bool good =
+        file.WriteLabels(count, part, [&](vtkIdType face) { return faces[face].*cell; });
+      return file.Finish(good, this->Error);
     };
-    return write("owner", this->Mesh.GetNumberOfFaces(), progress.Part(0, 0.6),
-             [&](vtkIdType face) { return this->Mesh.GetOwner(face); }) &&
-      write("neighbour", inside, progress.Part(0.6, 1),
-        [&](vtkIdType face) { return this->Mesh.GetNeighbor(face); });
+    return write("owner", static_cast<vtkIdType>(faces.size()), progress.Part(0, 0.6),
+             &PolyMeshOutput::Face::Owner) &&
+      write("neighbour", inside, progress.Part(0.6, 1), &PolyMeshOutput::Face::Neighbor);
   }
 
   bool WriteBoundary()
@@ -201,10 +203,9 @@ vtkStandardNewMacro(vtkPolyMeshWriter);
 bool vtkPolyMeshWriter::WriteMesh(const std::string& path, vtkDataSet* mesh,
   camaron::Warnings& warnings, camaron::ScanError& error, const camaron::Progress& progress)
 {
-  using camaron::ErrorKind;
   const auto refuse = [&](const std::string& reason)
   {
-    error = { ErrorKind::Unsupported, camaron::GetFileName(path) + ": " + reason };
+    error = { camaron::ErrorKind::Unsupported, camaron::GetFileName(path) + ": " + reason };
     return false;
   };
   if (!(this->Scale > 0 && std::isnormal(this->Scale)))
@@ -234,8 +235,8 @@ bool vtkPolyMeshWriter::WriteMesh(const std::string& path, vtkDataSet* mesh,
   }
   camaron::PolyMeshOutput output(cells, this->Scale);
   std::string reason;
-  const bool refusesLost = this->GetUnsupportedCells() == REFUSE;
-  if (!output.Build(refusesLost, warnings, reason, progress.Part(0.2, 0.5)))
+  if (!output.Build(
+        this->GetUnsupportedCells() == REFUSE, warnings, reason, progress.Part(0.2, 0.5)))
   {
     return reason.empty() ? false : refuse(reason);
   }
