@@ -152,66 +152,63 @@ bool OFFBinaryReading::ReadVertices(
     Word * (header.GetPositionSize() + (header.HasColors && header.HasColorsFirst ? 4 : 0));
   const std::int64_t colorAt =
     Word * (header.GetPositionSize() + (header.HasColorsFirst ? 0 : header.GetNormalSize()));
-  std::mutex mutex;
-  const auto set = [&](vtkIdType vertex, vtkIdType point)
-  {
-    const char* const place = this->Vertices + bytes * vertex;
-    OFFVertex read;
-    this->ReadThree(place, read.Position);
-    if (header.IsHomogeneous)
-    {
-      read.Last = this->ReadReal(place + Word * header.Dimension);
-    }
-    if (header.HasNormals)
-    {
-      this->ReadThree(place + normalAt, read.Normal);
-    }
-    if (header.HasColors)
-    {
-      std::int32_t words[4];
-      for (int c = 0; c < 4; ++c)
-      {
-        words[c] = Load<std::int32_t>(place + colorAt + Word * c, this->Scanner.IsSwapped());
-      }
-      read.Color = MakeColor(words, 4);
-      if (!read.Color.IsInRange())
-      {
-        const std::lock_guard<std::mutex> lock(mutex);
-        this->VertexCensus.Add(OFFOddity::VertexOutOfRange, vertex);
-      }
-    }
-    if (header.HasTexture)
-    {
-      read.Texture[0] = this->ReadReal(place + bytes - 2 * Word);
-      read.Texture[1] = this->ReadReal(place + bytes - Word);
-    }
-    vertices.Set(point, header, read);
-  };
   this->VertexCensus.Colors.HasColors = header.HasColors;
   this->VertexCensus.Colors.HasReals = header.HasColors;
-  const vtkIdType count = header.Vertices;
-  if (piece.IsWhole() && header.Dimension == 3 && bytes == 3 * Word)
+  if (piece.IsWhole() && header.IsPlain())
   {
     ListRows rows;
     rows.Begin = this->Vertices;
     rows.Swap = this->Scanner.IsSwapped();
     rows.Size = 3;
-    return progress.For(count,
+    return progress.For(header.Vertices,
       [&](vtkIdType begin, vtkIdType end)
       {
         rows.Copy(
           begin, end, reinterpret_cast<std::int32_t*>(vertices.Coordinates.data() + 3 * begin));
       });
   }
-  return progress.ForBlocks(count, BlockSize,
+  std::mutex mutex;
+  return progress.ForBlocks(header.Vertices, BlockSize,
     [&](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType vertex = begin; vertex < end; ++vertex)
       {
-        if (const vtkIdType point = piece.FindPoint(vertex); point >= 0)
+        const vtkIdType point = piece.FindPoint(vertex);
+        if (point < 0)
         {
-          set(vertex, point);
+          continue;
         }
+        const char* const place = this->Vertices + bytes * vertex;
+        OFFVertex read;
+        this->ReadThree(place, read.Position);
+        if (header.IsHomogeneous)
+        {
+          read.Last = this->ReadReal(place + Word * header.Dimension);
+        }
+        if (header.HasNormals)
+        {
+          this->ReadThree(place + normalAt, read.Normal);
+        }
+        if (header.HasColors)
+        {
+          std::int32_t words[4];
+          for (int c = 0; c < 4; ++c)
+          {
+            words[c] = Load<std::int32_t>(place + colorAt + Word * c, this->Scanner.IsSwapped());
+          }
+          read.Color = MakeColor(words, 4);
+          if (!read.Color.IsInRange())
+          {
+            const std::lock_guard<std::mutex> lock(mutex);
+            this->VertexCensus.Add(OFFOddity::VertexOutOfRange, vertex);
+          }
+        }
+        if (header.HasTexture)
+        {
+          read.Texture[0] = this->ReadReal(place + bytes - 2 * Word);
+          read.Texture[1] = this->ReadReal(place + bytes - Word);
+        }
+        vertices.Set(point, header, read);
       }
     });
 }

@@ -22,14 +22,6 @@ constexpr std::uint32_t Default =
 constexpr int NoIndex = -1;
 
 //------------------------------------------------------------------------------
-unsigned char ToByte(double value, bool isReal)
-{
-  const double scaled = isReal ? value * FullColor + 0.5 : value;
-  return static_cast<unsigned char>(
-    scaled > 0 ? std::min(scaled, double(FullColor)) : 0); // nan is 0
-}
-
-//------------------------------------------------------------------------------
 bool IsIndex(const OFFColor& color)
 {
   const double value = color.Values[0];
@@ -42,6 +34,13 @@ bool IsSmall(const OFFColor& color)
   return !color.IsReal &&
     std::all_of(color.Values, color.Values + color.Count, [](double v) { return v <= 1; });
 }
+}
+
+//------------------------------------------------------------------------------
+int ToColorByte(double value, bool isReal)
+{
+  const double scaled = isReal ? value * FullColor + 0.5 : value;
+  return scaled > 0 ? static_cast<int>(std::min(scaled, double(FullColor))) : 0;
 }
 
 //------------------------------------------------------------------------------
@@ -81,12 +80,6 @@ void OFFColors::Census::Merge(const Census& other)
 }
 
 //------------------------------------------------------------------------------
-OFFColors::OFFColors(vtkIdType size)
-{
-  this->Resize(size);
-}
-
-//------------------------------------------------------------------------------
 void OFFColors::Resize(vtkIdType size)
 {
   this->Values.resize(static_cast<std::size_t>(size), Default);
@@ -112,7 +105,8 @@ void OFFColors::Set(vtkIdType i, const OFFColor& color)
   unsigned char bytes[4];
   for (int c = 0; c < 4; ++c)
   {
-    bytes[c] = c == 3 && !hasAlpha ? FullColor : ToByte(color.Values[c], color.IsReal);
+    const bool isGiven = c < 3 || hasAlpha;
+    bytes[c] = isGiven ? ToColorByte(color.Values[c], color.IsReal) : FullColor;
   }
   std::memcpy(&this->Values[i], bytes, sizeof(bytes));
   this->Kinds[i] = !IsSmall(color) ? Bytes : hasAlpha ? SmallRGBA : SmallRGB;
@@ -121,28 +115,20 @@ void OFFColors::Set(vtkIdType i, const OFFColor& color)
 //------------------------------------------------------------------------------
 void OFFColors::AddTo(vtkDataSetAttributes* attributes, const Census& census, bool areSmallReal)
 {
-  if (census.HasIndices)
-  {
-    Buffer<int> indices(this->size());
-    ParallelFor(this->size(), LightGrain,
-      [&](vtkIdType begin, vtkIdType end)
+  Buffer<int> indices(census.HasIndices ? this->size() : 0);
+  Buffer<unsigned char> colors(census.HasColors ? 4 * this->size() : 0);
+  ParallelFor(this->size(), LightGrain,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType i = begin; i < end; ++i)
       {
-        for (vtkIdType i = begin; i < end; ++i)
+        const unsigned char kind = this->Kinds[i];
+        if (census.HasIndices)
         {
-          indices[i] = this->Kinds[i] == Index ? static_cast<int>(this->Values[i]) : NoIndex;
+          indices[i] = kind == Index ? static_cast<int>(this->Values[i]) : NoIndex;
         }
-      });
-    attributes->AddArray(indices.TakeArray<vtkIntArray>(1, "ColorIndex"));
-  }
-  if (census.HasColors)
-  {
-    Buffer<unsigned char> colors(4 * this->size());
-    ParallelFor(this->size(), LightGrain,
-      [&](vtkIdType begin, vtkIdType end)
-      {
-        for (vtkIdType i = begin; i < end; ++i)
+        if (census.HasColors)
         {
-          const unsigned char kind = this->Kinds[i];
           const std::uint32_t value = kind == Index ? Default : this->Values[i];
           unsigned char* const bytes = colors.data() + 4 * i;
           std::memcpy(bytes, &value, sizeof(value));
@@ -152,7 +138,14 @@ void OFFColors::AddTo(vtkDataSetAttributes* attributes, const Census& census, bo
             bytes[c] = bytes[c] ? FullColor : 0;
           }
         }
-      });
+      }
+    });
+  if (census.HasIndices)
+  {
+    attributes->AddArray(indices.TakeArray<vtkIntArray>(1, "ColorIndex"));
+  }
+  if (census.HasColors)
+  {
     attributes->AddArray(colors.TakeArray<vtkUnsignedCharArray>(4, "RGBA"));
   }
 }

@@ -24,6 +24,9 @@ namespace camaron
 /// Largest value of a component of a color in bytes.
 constexpr int FullColor = 255;
 
+/// The nearest one for a number, which ranges from 0 to 1 if it is real; 0 for NaN.
+int ToColorByte(double value, bool isReal);
+
 /// The numbers of one color.
 struct OFFColor
 {
@@ -53,7 +56,7 @@ public:
 
   OFFColors() = default;
   /// For rows without a color.
-  explicit OFFColors(vtkIdType size);
+  explicit OFFColors(vtkIdType size) { this->Resize(size); }
   vtkIdType size() const { return static_cast<vtkIdType>(this->Kinds.size()); }
 
   /// Sets a color; thread-safe.

@@ -11,20 +11,17 @@
 #include "vtkDataSet.h"
 #include "vtkPointData.h"
 
-#include <algorithm>
-#include <cmath>
-
 namespace camaron
 {
-namespace
-{
-constexpr char IndexName[] = "ColorIndex"; // name used by the reader
-
 //------------------------------------------------------------------------------
 bool IsReal(vtkDataArray* array)
 {
   return array->GetDataType() == VTK_FLOAT || array->GetDataType() == VTK_DOUBLE;
 }
+
+namespace
+{
+constexpr char IndexName[] = "ColorIndex"; // name used by the reader
 
 //------------------------------------------------------------------------------
 bool IsColor(vtkDataArray* array)
@@ -78,10 +75,11 @@ bool OFFColumns::Find(vtkDataSet* mesh, const OFFColumnNames& names, const std::
   const auto find = [&](vtkDataSetAttributes* data, const std::string& name, const char* of,
                       bool mayBeIndex) -> vtkDataArray*
   {
-    vtkDataArray* const array = name.empty() ? nullptr : data->GetArray(name.c_str());
+    const bool isNone = name.empty() || name == "None";
+    vtkDataArray* const array = isNone ? nullptr : data->GetArray(name.c_str());
     const bool isIndex =
       array && mayBeIndex && array->GetNumberOfComponents() == 1 && !IsReal(array);
-    if (!name.empty() && !(array && (IsColor(array) || isIndex)))
+    if (!isNone && !error && !(array && (IsColor(array) || isIndex)))
     {
       error = { ErrorKind::Unsupported,
         GetFileName(path) + ": colors of " + of + " need an array with three or four components" +
@@ -92,10 +90,6 @@ bool OFFColumns::Find(vtkDataSet* mesh, const OFFColumnNames& names, const std::
     return array;
   };
   this->VertexColors = find(points, names.VertexColors, "vertices", false);
-  if (error)
-  {
-    return false;
-  }
   this->FaceColors = find(cells, names.FaceColors, "faces", true);
   if (error)
   {
@@ -163,25 +157,5 @@ bool OFFColumns::Find(vtkDataSet* mesh, const OFFColumnNames& names, const std::
   WarnOfColors(this->VertexColors, "point", "points", warnings);
   WarnOfColors(this->FaceColors, "cell", "cells", warnings);
   return true;
-}
-
-//------------------------------------------------------------------------------
-std::string OFFColumns::GetKeyword() const
-{
-  return std::string(this->Texture ? "ST" : "") + (this->VertexColors ? "C" : "") +
-    (this->Normals ? "N" : "") + "OFF";
-}
-
-//------------------------------------------------------------------------------
-void GetOFFColor(vtkDataArray* colors, vtkIdType tuple, int bytes[4])
-{
-  const double scale = IsReal(colors) ? FullColor : 1;
-  const int size = colors->GetNumberOfComponents();
-  for (int c = 0; c < 4; ++c)
-  {
-    const double value =
-      c < size ? std::floor(colors->GetComponent(tuple, c) * scale + 0.5) : FullColor;
-    bytes[c] = value > 0 ? static_cast<int>(std::min(value, double(FullColor))) : 0; // nan is 0
-  }
 }
 }

@@ -16,7 +16,7 @@ class vtkDataSet;
 
 namespace camaron
 {
-/// The arrays to write; the names of colors are empty for none.
+/// The arrays to write; the names of colors are empty or "None" for none.
 struct OFFColumnNames
 {
   bool Normals;
@@ -34,9 +34,6 @@ public:
   bool Find(vtkDataSet* mesh, const OFFColumnNames& names, const std::string& path,
     Warnings& warnings, ScanError& error);
 
-  /// The first word of the file.
-  std::string GetKeyword() const;
-
   vtkDataArray* Normals = nullptr;
   vtkDataArray* Texture = nullptr;
   vtkDataArray* VertexColors = nullptr;
@@ -44,9 +41,8 @@ public:
   vtkDataArray* FaceIndices = nullptr; ///< into a color map
 };
 
-/// Red, green, blue and alpha from 0 to 255, from an array of integers, or of real numbers from 0
-/// to 1.
-void GetOFFColor(vtkDataArray* colors, vtkIdType tuple, int bytes[4]);
+/// Whether colors of an array are real numbers from 0 to 1, not integers from 0 to 255.
+bool IsReal(vtkDataArray* array);
 }
 
 #endif

@@ -37,8 +37,7 @@ struct OFFHeader
   /// Whether a vertex consists of x, y and z only.
   bool IsPlain() const
   {
-    return this->Dimension == 3 && !this->IsHomogeneous && !this->HasNormals && !this->HasColors &&
-      !this->HasTexture;
+    return this->Dimension == 3 && this->GetVertexSize() == 3 && !this->HasColors;
   }
 };
 

@@ -50,7 +50,6 @@ struct OFFCensus
   }
   /// @param isOdd whether there are data after the vertices that are not a color
   void AddFace(vtkIdType row, const OFFColor& color, bool isOdd);
-  const Tally& Get(OFFOddity oddity) const { return this->Oddities[static_cast<int>(oddity)]; }
   void Merge(const OFFCensus& other);
 };
 

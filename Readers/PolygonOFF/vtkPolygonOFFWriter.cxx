@@ -37,7 +37,9 @@ public:
   bool Write(OutputFile& file, vtkIdType faces, const Progress& progress) const
   {
     // Camarón expects the counts on the second line.
-    std::string header = this->Columns.GetKeyword() + (this->Encoder.IsText() ? "\n" : " BINARY\n");
+    std::string header = std::string(this->Columns.Texture ? "ST" : "") +
+      (this->Columns.VertexColors ? "C" : "") + (this->Columns.Normals ? "N" : "") +
+      (this->Encoder.IsText() ? "OFF\n" : "OFF BINARY\n");
     for (const vtkIdType count : { this->Mesh.GetNumberOfPoints(), faces, vtkIdType(0) })
     {
       this->AddInteger(header, count);
@@ -64,24 +66,9 @@ private:
   }
   void AddInteger(std::string& bytes, vtkIdType value) const
   {
-    if (this->Encoder.IsText())
-    {
-      this->Encoder.Append(bytes, value);
-    }
-    else
-    {
-      this->Encoder.Append(bytes, static_cast<std::int32_t>(value));
-    }
+    this->Encoder.IsText() ? this->Encoder.Append(bytes, value)
+                           : this->Encoder.Append(bytes, static_cast<std::int32_t>(value));
   }
-  /// In text, it follows from the end of the line.
-  void AddColorSize(std::string& bytes, int size) const
-  {
-    if (!this->Encoder.IsText())
-    {
-      this->AddInteger(bytes, size);
-    }
-  }
-
   void AddVertex(std::string& bytes, vtkIdType point) const
   {
     double x[3];
@@ -121,38 +108,32 @@ private:
     const vtkIdType tuple = this->Mesh.GetInputCell(cell);
     const double index =
       this->Columns.FaceIndices ? this->Columns.FaceIndices->GetComponent(tuple, 0) : -1;
+    const bool hasIndex = index >= 0 && index <= std::numeric_limits<std::int32_t>::max();
+    if (!this->Encoder.IsText()) // there it follows from the end of the line
+    {
+      this->AddInteger(bytes, this->Columns.FaceColors ? 4 : hasIndex ? 1 : 0);
+    }
     if (this->Columns.FaceColors)
     {
-      this->AddColorSize(bytes, 4);
       this->AddColor(bytes, this->Columns.FaceColors, tuple);
     }
-    else if (index >= 0 && index <= std::numeric_limits<std::int32_t>::max())
+    else if (hasIndex)
     {
-      this->AddColorSize(bytes, 1);
       this->AddInteger(bytes, static_cast<vtkIdType>(index));
-    }
-    else
-    {
-      this->AddColorSize(bytes, 0);
     }
     this->Encoder.EndRow(bytes);
   }
 
-  /// Integers in text, else real numbers from 0 to 1.
+  /// Integers from 0 to 255 in text, else real numbers from 0 to 1.
   void AddColor(std::string& bytes, vtkDataArray* colors, vtkIdType tuple) const
   {
-    int color[4];
-    GetOFFColor(colors, tuple, color);
-    for (const int byte : color)
+    for (int c = 0; c < 4; ++c)
     {
-      if (this->Encoder.IsText())
-      {
-        this->AddInteger(bytes, byte);
-      }
-      else
-      {
-        this->AddReal(bytes, byte / static_cast<double>(FullColor), true);
-      }
+      const int byte = c < colors->GetNumberOfComponents()
+        ? ToColorByte(colors->GetComponent(tuple, c), IsReal(colors))
+        : FullColor;
+      this->Encoder.IsText() ? this->AddInteger(bytes, byte)
+                             : this->AddReal(bytes, byte / static_cast<double>(FullColor), true);
     }
   }
 
@@ -161,72 +142,6 @@ private:
   NumberEncoder Encoder;
   int Digits; ///< of real numbers in text
 };
-
-//------------------------------------------------------------------------------
-void WarnOfShortFaces(const OutputMesh& mesh, Warnings& warnings)
-{
-  const vtkIdType lines = mesh.Count(VTK_LINE), vertices = mesh.Count(VTK_VERTEX);
-  if (lines + vertices > 0)
-  {
-    warnings.Add("lines written as faces with two vertices: " + std::to_string(lines) +
-      ", vertices as faces with one: " + std::to_string(vertices) +
-      "; some programs cannot read these");
-  }
-}
-
-//------------------------------------------------------------------------------
-struct OFFOptions
-{
-  bool IsBinary;
-  int Digits; ///< of real numbers in text; 0 for the fewest that are exact
-  OFFColumnNames Columns;
-  CellConversion Cells;
-};
-
-//------------------------------------------------------------------------------
-bool WriteOFF(const std::string& path, vtkDataSet* mesh, const OFFOptions& options,
-  Warnings& warnings, ScanError& error, const Progress& progress)
-{
-  OFFColumns columns;
-  OutputMesh output;
-  if (!columns.Find(mesh, options.Columns, path, warnings, error) ||
-    !ConvertCells(mesh, options.Cells, path, output, warnings, error, progress.Part(0, 0.3)))
-  {
-    return false;
-  }
-  const bool hasFaceColumn = columns.FaceColors || columns.FaceIndices;
-  const bool isCloud = !hasFaceColumn && output.IsCloud();
-  const vtkIdType points = output.GetNumberOfPoints();
-  const vtkIdType faces = isCloud ? 0 : output.GetNumberOfCells();
-  if (options.IsBinary && std::max(points, faces) > std::numeric_limits<std::int32_t>::max())
-  {
-    error = { ErrorKind::Unsupported,
-      GetFileName(path) +
-        ": expected fewer than 2147483648 vertices and faces for binary OFF, found more" };
-    return false;
-  }
-  if (options.IsBinary &&
-    !(CheckSinglePrecision(mesh, path, warnings, error) &&
-      CheckSinglePrecision(columns.Normals, 3, "normal", "normals", path, warnings, error) &&
-      CheckSinglePrecision(
-        columns.Texture, 2, "texture coordinate", "texture coordinates", path, warnings, error)))
-  {
-    return false;
-  }
-  if (!isCloud)
-  {
-    WarnOfShortFaces(output, warnings);
-  }
-
-  if (!options.IsBinary)
-  {
-    WarnOfDigits(mesh, output, options.Digits, warnings);
-  }
-  OutputFile file(path);
-  const bool good = Writing(output, columns, options.IsBinary, options.Digits)
-                      .Write(file, faces, progress.Part(0.3, 1));
-  return file.Finish(good, error);
-}
 }
 }
 
@@ -242,14 +157,53 @@ int vtkPolygonOFFWriter::GetDigitsOfCoordinates() const
 bool vtkPolygonOFFWriter::WriteMesh(const std::string& path, vtkDataSet* mesh,
   camaron::Warnings& warnings, camaron::ScanError& error, const camaron::Progress& progress)
 {
-  const auto getName = [](const std::string& name)
-  { return name == "None" ? std::string() : name; };
-  const camaron::OFFOptions options = { this->Encoding == BINARY, this->Digits,
-    { this->WriteNormals, this->WriteTextureCoordinates, getName(this->VertexColors),
-      getName(this->FaceColors) },
-    { "OFF", { VTK_TRIANGLE, VTK_QUAD, VTK_POLYGON, VTK_LINE, VTK_VERTEX }, this->GetOtherCells(),
-      this->GetSurfaceFaces() } };
-  return camaron::WriteOFF(path, mesh, options, warnings, error, progress);
+  const bool isBinary = this->Encoding == BINARY;
+  camaron::OFFColumns columns;
+  camaron::OutputMesh output;
+  if (!columns.Find(mesh,
+        { this->WriteNormals, this->WriteTextureCoordinates, this->VertexColors, this->FaceColors },
+        path, warnings, error) ||
+    !camaron::ConvertCells(mesh,
+      { "OFF", { VTK_TRIANGLE, VTK_QUAD, VTK_POLYGON, VTK_LINE, VTK_VERTEX }, this->GetOtherCells(),
+        this->GetSurfaceFaces() },
+      path, output, warnings, error, progress.Part(0, 0.3)))
+  {
+    return false;
+  }
+  const bool isCloud = !columns.FaceColors && !columns.FaceIndices && output.IsCloud();
+  const vtkIdType faces = isCloud ? 0 : output.GetNumberOfCells();
+  if (isBinary &&
+    std::max(output.GetNumberOfPoints(), faces) > std::numeric_limits<std::int32_t>::max())
+  {
+    error = { camaron::ErrorKind::Unsupported,
+      camaron::GetFileName(path) +
+        ": expected fewer than 2147483648 vertices and faces for binary OFF, found more" };
+    return false;
+  }
+  if (isBinary &&
+    !(camaron::CheckSinglePrecision(mesh, path, warnings, error) &&
+      camaron::CheckSinglePrecision(
+        columns.Normals, 3, "normal", "normals", path, warnings, error) &&
+      camaron::CheckSinglePrecision(
+        columns.Texture, 2, "texture coordinate", "texture coordinates", path, warnings, error)))
+  {
+    return false;
+  }
+  const vtkIdType lines = output.Count(VTK_LINE), vertices = output.Count(VTK_VERTEX);
+  if (!isCloud && lines + vertices > 0)
+  {
+    warnings.Add("lines written as faces with two vertices: " + std::to_string(lines) +
+      ", vertices as faces with one: " + std::to_string(vertices) +
+      "; some programs cannot read these");
+  }
+  if (!isBinary)
+  {
+    camaron::WarnOfDigits(mesh, output, this->Digits, warnings);
+  }
+  camaron::OutputFile file(path);
+  const bool good = camaron::Writing(output, columns, isBinary, this->Digits)
+                      .Write(file, faces, progress.Part(0.3, 1));
+  return file.Finish(good, error);
 }
 
 //------------------------------------------------------------------------------
