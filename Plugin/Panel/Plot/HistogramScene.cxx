@@ -323,31 +323,23 @@ QRectF HistogramScene::GetSlot(int column) const
 //------------------------------------------------------------------------------
 int HistogramScene::FindColumn(const QPointF& position, bool nearest) const
 {
-  if (!nearest && (position.y() < this->Plot.top() || position.y() > this->Plot.bottom()))
+  const double x = position.x();
+  const auto getDistance = [x](const QRectF& slot)
   {
-    return -1;
-  }
-  int found = -1;
-  double least = nearest ? std::numeric_limits<double>::max() : 0;
-  for (std::size_t i = 0; i < this->Slots.size(); ++i)
-  {
-    const QRectF& slot = this->Slots[i];
-    if (slot.isNull())
-    {
-      continue;
-    }
-    if (position.x() >= slot.left() && position.x() < slot.right())
-    {
-      return static_cast<int>(i);
-    }
-    const double distance = std::max(slot.left() - position.x(), position.x() - slot.right());
-    if (distance < least)
-    {
-      found = static_cast<int>(i);
-      least = distance;
-    }
-  }
-  return found;
+    constexpr double inside = -1; // less than beside its end, where the next one begins
+    return slot.isNull() ? Infinity
+      : x < slot.left()  ? slot.left() - x
+      : x < slot.right() ? inside
+                         : x - slot.right();
+  };
+  const auto found = std::min_element(this->Slots.begin(), this->Slots.end(),
+    [&](const QRectF& a, const QRectF& b) { return getDistance(a) < getDistance(b); });
+  const double distance = found == this->Slots.end() ? Infinity : getDistance(*found);
+  const bool isInside =
+    distance < 0 && position.y() >= this->Plot.top() && position.y() <= this->Plot.bottom();
+  return isInside || (nearest && distance < Infinity)
+    ? static_cast<int>(found - this->Slots.begin())
+    : -1;
 }
 
 //------------------------------------------------------------------------------
@@ -404,16 +396,11 @@ LimitHandle HistogramScene::FindHandle(const QPointF& position) const
       }
     }
   }
-  const QRectF& plot = this->Plot;
-  const int bins = this->Data.GetNumberOfBins();
-  if (position.y() > plot.bottom() || position.y() < plot.top() ||
-    plot.width() / bins < NarrowestGraspedBar)
-  {
-    return LimitHandle::None;
-  }
+  const bool isInPlot = position.y() >= this->Plot.top() && position.y() <= this->Plot.bottom();
+  const bool areWide = this->Plot.width() / this->Data.GetNumberOfBins() >= NarrowestGraspedBar;
   for (const LimitHandle handle : handles)
   {
-    if (std::isfinite(this->GetLimit(handle)) &&
+    if (isInPlot && areWide && std::isfinite(this->GetLimit(handle)) &&
       std::abs(position.x() - this->GetHandleX(handle)) <= Reach)
     {
       return handle;
@@ -439,18 +426,11 @@ double HistogramScene::GetLimitAt(LimitHandle handle, double x, bool snap) const
 //------------------------------------------------------------------------------
 double HistogramScene::GetRoundLimitAt(double x, bool isLow) const
 {
-  double limit = this->GetNumberAt(x);
-  double least = Infinity;
-  for (const double round : GetRoundLimits(this->Data))
-  {
-    const double distance = std::abs(this->LimitToX(round, isLow) - x);
-    if (distance < least)
-    {
-      least = distance;
-      limit = round;
-    }
-  }
-  return limit;
+  const std::vector<double> limits = GetRoundLimits(this->Data);
+  const auto getDistance = [&](double limit) { return std::abs(this->LimitToX(limit, isLow) - x); };
+  const auto nearest = std::min_element(limits.begin(), limits.end(),
+    [&](double a, double b) { return getDistance(a) < getDistance(b); });
+  return nearest == limits.end() ? this->GetNumberAt(x) : *nearest;
 }
 
 //------------------------------------------------------------------------------

@@ -131,30 +131,29 @@ QStringList DescribeColumn(const HistogramData& data, int column)
   {
     lines << Text::tr("of shapes that the range is not for: %1").arg(GroupedInteger(notJudged));
   }
-  int groups = 0;
+  QStringList groups;
   for (const HistogramData::Group& group : data.Groups)
   {
-    const qint64 part = group.Counts[column];
-    if (data.Groups.size() > 1 && part > 0)
+    if (group.Counts[column] > 0)
     {
-      if (++groups > mostGroups)
-      {
-        lines << QStringLiteral("…");
-        break;
-      }
-      lines << Text::tr("%1: %2").arg(group.Label, GroupedInteger(part));
+      groups << Text::tr("%1: %2").arg(group.Label, GroupedInteger(group.Counts[column]));
     }
   }
+  if (groups.size() > mostGroups)
+  {
+    groups.resize(mostGroups);
+    groups << QStringLiteral("…");
+  }
+  lines << (data.Groups.size() > 1 ? groups : QStringList());
   if (data.IsBin(column))
   {
-    qint64 upTo = 0;
+    double upTo = 0;
     for (int i = 0; i <= column; ++i)
     {
-      upTo += data.GetCount(i);
+      upTo += static_cast<double>(data.GetCount(i));
     }
     lines << Text::tr("Cumulative: %1")
-               .arg(FormatPercent(
-                 static_cast<double>(upTo), static_cast<double>(data.GetNumberOfValues())));
+               .arg(FormatPercent(upTo, static_cast<double>(data.GetNumberOfValues())));
   }
   return lines;
 }
