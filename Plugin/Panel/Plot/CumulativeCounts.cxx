@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 
 namespace camaron
 {
@@ -109,14 +110,11 @@ std::vector<double> GetCurveValues(const HistogramData& data, double low, double
       limits.push_back(limit);
     }
   }
-  std::vector<double> values;
+  std::set<double> values;
   for (const double limit : limits)
   {
-    values.push_back(std::nextafter(limit, -Infinity));
-    values.push_back(limit);
+    values.insert({ std::nextafter(limit, -Infinity), limit });
   }
-  std::sort(values.begin(), values.end());
-  values.erase(std::unique(values.begin(), values.end()), values.end());
-  return values;
+  return { values.begin(), values.end() };
 }
 }

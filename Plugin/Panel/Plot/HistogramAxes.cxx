@@ -38,12 +38,11 @@ public:
   void PaintCountAxis()
   {
     const QRectF& columns = this->Scene.Columns;
-    const double height = QFontMetricsF(this->Scene.Font).height();
     for (const Tick& tick : this->Scene.CountTicks)
     {
       const double y = tick.Value > 0 ? this->Scene.ToY(tick.Value) : columns.bottom();
-      this->PaintText(QRectF(0, y - height / 2, columns.left() - LabelGap, height),
-        Qt::AlignRight | Qt::AlignVCenter, tick.Label, this->Colors.Text);
+      this->PaintText(QRectF(columns.left() - LabelGap, y, 0, 0), Qt::AlignRight | Qt::AlignVCenter,
+        tick.Label, this->Colors.Text);
     }
   }
 
@@ -61,7 +60,7 @@ public:
       if (percent % 50 == 0 || isHigh)
       {
         const double y = this->Scene.PercentToY(percent);
-        this->PaintText(QRectF(columns.right() + LabelGap, y - height / 2, columns.right(), height),
+        this->PaintText(QRectF(columns.right() + LabelGap, y, 0, 0),
           Qt::AlignLeft | Qt::AlignVCenter, FormatPercent(percent, 100), this->Colors.Curve);
       }
     }

@@ -61,18 +61,10 @@ public:
 
   void PaintShades()
   {
-    if (!this->Scene.HasLimits() || this->Scene.Data.Edges.empty())
+    if (this->Scene.HasLimits() && !this->Scene.Data.Edges.empty())
     {
-      return;
+      this->FillParts(this->Scene.Plot, this->Colors.GoodShade, this->Colors.BadShade, false);
     }
-    const QRectF& plot = this->Scene.Plot;
-    const double low = this->Scene.GetHandleX(LimitHandle::Low);
-    const double high = this->Scene.GetHandleX(LimitHandle::High);
-    this->Painter->fillRect(
-      MakeBox(plot.left(), plot.top(), low, plot.bottom()), this->Colors.BadShade);
-    this->Painter->fillRect(MakeBox(low, plot.top(), high, plot.bottom()), this->Colors.GoodShade);
-    this->Painter->fillRect(
-      MakeBox(high, plot.top(), plot.right(), plot.bottom()), this->Colors.BadShade);
   }
 
   void PaintColumnMarks()
@@ -233,29 +225,30 @@ private:
   void PaintBar(int column, const QRectF& bar, bool isFaded)
   {
     const HistogramData& data = this->Scene.Data;
-    if (data.IsBin(column) && !data.HasIntegerBins() && !data.IsConstant())
-    {
-      this->PaintJudgedBar(bar, isFaded);
-      return;
+    const bool isRange = data.IsBin(column) && !data.HasIntegerBins() && !data.IsConstant();
+    if (isRange && this->Scene.HasLimits())
+    { // a limit may be within the bin
+      this->FillParts(bar, this->Colors.Good, this->Colors.Bad, isFaded);
     }
-    this->Fill(bar, this->GetColorOfColumn(column), isFaded);
+    else
+    {
+      this->Fill(bar, isRange ? this->Colors.Bar : this->GetColorOfColumn(column), isFaded);
+    }
   }
 
-  // In parts, if a limit of the acceptable range is within the bin.
-  void PaintJudgedBar(const QRectF& bar, bool isFaded)
+  // Between the limits of the acceptable range, and outside.
+  void FillParts(const QRectF& box, const QColor& good, const QColor& bad, bool isFaded)
   {
     const double low = this->Scene.GetHandleX(LimitHandle::Low);
     const double high = this->Scene.GetHandleX(LimitHandle::High);
-    const double ends[] = { bar.left(), std::clamp(low, bar.left(), bar.right()),
-      std::clamp(high, bar.left(), bar.right()), bar.right() };
+    const double ends[] = { box.left(), std::clamp(low, box.left(), box.right()),
+      std::clamp(high, box.left(), box.right()), box.right() };
     for (int part = 0; part < 3; ++part)
     {
-      if (ends[part + 1] > ends[part])
-      {
-        const double middle = this->Scene.ToValue((ends[part] + ends[part + 1]) / 2);
-        this->Fill(MakeBox(ends[part], bar.top(), ends[part + 1], bar.bottom()),
-          this->Colors.GetJudged(middle, this->Scene.Low, this->Scene.High), isFaded);
-      }
+      const double middle = this->Scene.ToValue((ends[part] + ends[part + 1]) / 2);
+      const bool isGood = middle >= this->Scene.Low && middle <= this->Scene.High;
+      this->Fill(
+        MakeBox(ends[part], box.top(), ends[part + 1], box.bottom()), isGood ? good : bad, isFaded);
     }
   }
 
