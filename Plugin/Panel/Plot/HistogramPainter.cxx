@@ -193,13 +193,15 @@ public:
       }
       else
       {
-        this->PaintBar(column, bar, isFaded);
-        this->PaintNotJudged(column, bar, isFaded);
-        const double part = hasParts ? static_cast<double>(data.Selected.Counts[column]) : 0;
-        if (part > 0)
+        const double notJudged = static_cast<double>(data.GetNotJudged(column));
+        if (notJudged > 0) // gray, above those that are judged
         {
-          const double partTop = this->Scene.ToY(part);
-          this->PaintBar(column, MakeBox(bar.left(), partTop, bar.right(), bar.bottom()), false);
+          this->Fill(bar, this->Colors.Special, isFaded);
+        }
+        this->PaintPart(column, bar, count - notJudged, isFaded);
+        if (hasParts)
+        {
+          this->PaintPart(column, bar, static_cast<double>(data.Selected.Counts[column]), false);
         }
       }
       if (this->Scene.IsCutOff(count))
@@ -222,17 +224,19 @@ public:
   }
 
 private:
-  void PaintBar(int column, const QRectF& bar, bool isFaded)
+  // As many elements of a bar, at its bottom.
+  void PaintPart(int column, const QRectF& bar, double count, bool isFaded)
   {
     const HistogramData& data = this->Scene.Data;
     const bool isRange = data.IsBin(column) && !data.HasIntegerBins() && !data.IsConstant();
+    const QRectF part = MakeBox(bar.left(), this->Scene.ToY(count), bar.right(), bar.bottom());
     if (isRange && this->Scene.HasLimits())
     { // a limit may be within the bin
-      this->FillParts(bar, this->Colors.Good, this->Colors.Bad, isFaded);
+      this->FillParts(part, this->Colors.Good, this->Colors.Bad, isFaded);
     }
     else
     {
-      this->Fill(bar, isRange ? this->Colors.Bar : this->GetColorOfColumn(column), isFaded);
+      this->Fill(part, isRange ? this->Colors.Bar : this->GetColorOfColumn(column), isFaded);
     }
   }
 
@@ -249,20 +253,6 @@ private:
       const bool isGood = middle >= this->Scene.Low && middle <= this->Scene.High;
       this->Fill(
         MakeBox(ends[part], box.top(), ends[part + 1], box.bottom()), isGood ? good : bad, isFaded);
-    }
-  }
-
-  // Gray, above those that are judged.
-  void PaintNotJudged(int column, const QRectF& bar, bool isFaded)
-  {
-    const qint64 count = this->Scene.Data.GetNotJudged(column);
-    if (count > 0)
-    {
-      const qint64 judged = this->Scene.Data.GetCount(column) - count;
-      const double bottom =
-        judged > 0 ? this->Scene.ToY(static_cast<double>(judged)) : bar.bottom();
-      this->Fill(MakeBox(bar.left(), bar.top(), bar.right(), std::max(bottom, bar.top())),
-        this->Colors.Special, isFaded);
     }
   }
 
