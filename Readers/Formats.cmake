@@ -22,10 +22,10 @@ camaron_format(
 
 camaron_format(
   NAME        M3D
-  EXTENSIONS  m3d m2d mvm
+  EXTENSIONS  m3d m2d
   DESCRIPTION "M3D mesh of mixed elements"
-  READS       "M3D, M2D and MVM with codes, projections and materials"
-  WRITES      "M3D, M2D and MVM with materials"
+  READS       "M3D and M2D with codes, projections and materials"
+  WRITES      "M3D and M2D with materials"
   READER
   WRITER)
 

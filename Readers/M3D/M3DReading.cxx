@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "M3DReading.h"
 
+#include "Base/Text.h"
 #include "Intake/CellMesh/CellGrid.h"
 #include "Intake/CellMesh/CellRows.h"
 #include "Intake/Pieces/ReadMappedFile.h"
 #include "M3DElements.h"
-#include "M3DSections.h"
 
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
@@ -16,41 +16,151 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
-#include <memory>
+#include <atomic>
 
 namespace camaron
 {
 namespace
 {
 constexpr int NodeBytes = 8;    // "1 0 0 0" and a line end
-constexpr int MVMNodeBytes = 6; // without a code
 constexpr int ElementBytes = 8; // "t 0 1 2" and a line end
 
 //------------------------------------------------------------------------------
-struct NodeRow
+// Sections that are skipped.
+struct OtherSections
+{
+  vtkIdType Count = 0;
+  std::string First; // word, quoted
+};
+
+//------------------------------------------------------------------------------
+// Whether a text begins with a keyword, which is in lower case, in any case, whatever follows.
+bool BeginsWith(const char* text, const char* end, std::string_view keyword)
+{
+  const std::string_view rest(text, static_cast<std::size_t>(end - text));
+  return EqualsInAnyCase(rest.substr(0, keyword.size()), keyword);
+}
+
+//------------------------------------------------------------------------------
+// Moves past the heading of the section that begins with a keyword, skipping other sections. False
+// if none begins within a number of bytes.
+bool FindSection(
+  TextScanner& scanner, std::string_view keyword, vtkIdType bytes, OtherSections& others)
+{
+  const char* const end = scanner.GetEnd();
+  const char* const limit = scanner.GetPosition() + std::min(bytes, scanner.GetBytesLeft());
+  while (scanner.GetPosition() < limit && scanner.SkipSpace())
+  {
+    const char* const text = scanner.GetPosition();
+    if (BeginsWith(text, end, keyword))
+    {
+      const char* const lineEnd = FindLineEnd(text, end);
+      const char* const bracket = std::find(text, lineEnd, ']');
+      scanner.SetPosition(bracket + (bracket < lineEnd));
+      return true;
+    }
+    if (*text == '[' && others.Count++ == 0)
+    {
+      others.First = QuoteWord({ text, static_cast<std::size_t>(end - text) });
+    }
+    scanner.SkipLine();
+  }
+  return false;
+}
+
+//------------------------------------------------------------------------------
+// Moves past the heading of the section of nodes.
+bool ReadHeading(TextScanner& scanner, OtherSections& others)
+{
+  constexpr vtkIdType MaxBytesBefore = 65536; // of other sections and of remarks
+  scanner.SkipSpace();
+  const char* const begin = scanner.GetPosition();
+  constexpr char Expected[] = "an M3D file, which begins with '[Nodes, ARRAY1<STRING>]'";
+  return FindSection(scanner, "[nodes,", MaxBytesBefore, others) ||
+    (BeginsWith(begin, scanner.GetEnd(), "3dmo")
+        ? scanner.FailAt(
+            begin, ErrorKind::NotThisFormat, Expected, "a binary Model 3D file ('3DMO')")
+        : scanner.FailAt(begin, ErrorKind::NotThisFormat, Expected));
+}
+
+//------------------------------------------------------------------------------
+struct Node
 {
   double Position[3];
-  std::int64_t Code = 1;
+  std::int64_t Code;
   double Projection[3] = { 0, 0, 0 };
 };
 
 //------------------------------------------------------------------------------
-bool ReadNode(TextRow& row, M3DDialect dialect, NodeRow& node)
+// code x y z [px py pz]
+bool ReadNode(TextRow& row, Node& node)
 {
-  if (dialect != M3DDialect::MVM)
+  if (!row.ReadInteger(node.Code, "the code of a node"))
   {
-    if (!row.ReadInteger(node.Code, "the code of a node"))
-    {
-      return false;
-    }
-    if (node.Code != static_cast<int>(node.Code))
-    {
-      return row.FailAtLast(ErrorKind::Syntax, "a 32-bit code of a node");
-    }
+    return false;
+  }
+  if (node.Code != static_cast<int>(node.Code))
+  {
+    return row.FailAtLast(ErrorKind::Syntax, "a 32-bit code of a node");
   }
   return row.ReadPoint(node.Position, "a coordinate of a node") &&
     ((node.Code != 2 && node.Code != 3) ||
       row.ReadPoint(node.Projection, "the projection of a node of code 2 or 3"));
+}
+
+//------------------------------------------------------------------------------
+// letter id id ...; the nodes become those of VTK. nullptr on errors.
+const ElementKind* ReadElement(TextRow& row, vtkIdType numberOfNodes, std::int32_t* points)
+{
+  constexpr char what[] = "an element (T, P, R, H, t or q)";
+  std::string_view word;
+  if (!row.ReadWord(word, what))
+  {
+    return nullptr;
+  }
+  const ElementKind* const kind =
+    FindElementKind([&](const ElementKind& one) { return one.Letter == word[0]; });
+  if (!kind)
+  {
+    row.FailAt(word.data(), ErrorKind::Syntax, what);
+    return nullptr;
+  }
+  std::int64_t size = kind->NumberOfNodes; // may follow the letter
+  ParseInteger(word.data() + 1, word.data() + word.size(), size);
+  if (size != kind->NumberOfNodes)
+  {
+    row.FailAt(word.data(), ErrorKind::Unsupported,
+      std::string("an element of type ") + kind->Letter + " with " +
+        std::to_string(kind->NumberOfNodes) + " nodes");
+    return nullptr;
+  }
+  std::int32_t nodes[MaxElementNodes];
+  if (!row.ReadIds(nodes, kind->NumberOfNodes, 0, numberOfNodes - 1, "a node of an element"))
+  {
+    return nullptr;
+  }
+  const int* const order = kind->GetOrder();
+  std::transform(
+    order, order + kind->NumberOfNodes, points, [&nodes](int place) { return nodes[place]; });
+  return kind;
+}
+
+//------------------------------------------------------------------------------
+// Three numbers after the nodes of an element. A word that is not a number is not a material;
+// Camarón ignores it.
+bool ReadMaterial(TextRow& row, double* values)
+{
+  for (int c = 0; c < MaterialSize; ++c)
+  {
+    std::string_view word;
+    const bool good = row.HasMore() && row.ReadWord(word, "");
+    const char* const end = word.data() + word.size();
+    if (!good || ParseReal(word.data(), end, values[c]) != end)
+    {
+      return false;
+    }
+  }
+  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -68,46 +178,57 @@ public:
   bool Read(TextScanner& scanner, const TextLines* lines, const Progress& progress);
 
 private:
-  bool ReadCounts(TextScanner& scanner);
+  bool FindElements(TextScanner& scanner, const TextLines* lines, const Progress& progress);
   bool ReadElements(TextScanner& scanner, const TextLines* lines, const Progress& progress);
-  const ElementKind* ReadCell(TextRow& row, std::int32_t* points);
+  void ReadFirstMaterial(TextScanner scanner);
+  void CompareMaterial(TextRow& row, const char* end);
+  bool ReadMaterials(TextScanner scanner, const TextLines* lines, const Progress& progress);
   bool ReadNodes(
     const TextScanner& start, const TextLines* lines, bool withCodes, const Progress& progress);
-  bool ReadMaterials(TextScanner scanner, const TextLines* lines, const Progress& progress);
-  void AddMaterials();
   void WarnOfRest(TextScanner& scanner);
 
   PieceRequest Request;
   vtkUnstructuredGrid* Grid;
   Warnings& Messages;
 
-  M3DDialect Dialect = M3DDialect::M3D;
   std::int64_t NumberOfNodes = 0;
   std::int64_t NumberOfElements = 0;
   OtherSections Others;
   CellMeshPiece Piece;
   CellMesh Mesh;
-  std::unique_ptr<MaterialTally> Found;
+  std::string_view FirstMaterial;               // its text, empty if the first element has none
+  std::atomic<bool> HasOtherMaterials{ false }; // than the first one
+  std::atomic<bool> LacksMaterials{ false };    // of some elements
   const char* NodesEnd = nullptr;
-  vtkSmartPointer<vtkDataArray> Points, Codes, Projections, Materials;
+  vtkSmartPointer<vtkDataArray> Points, Codes, Projections, Materials; // of cells or field data
 };
 
 //------------------------------------------------------------------------------
-const ElementKind* M3DReading::ReadCell(TextRow& row, std::int32_t* points)
+// Finds the section of elements, behind that of nodes.
+bool M3DReading::FindElements(
+  TextScanner& scanner, const TextLines* lines, const Progress& progress)
 {
-  std::int32_t nodes[MaxElementNodes];
-  const ElementKind* const kind = ReadElement(row, this->Dialect, this->NumberOfNodes, nodes);
-  if (kind)
+  if (!SkipRows(
+        scanner, lines, this->NumberOfNodes, progress,
+        [](vtkIdType, TextRow& row)
+        {
+          Node node;
+          return ReadNode(row, node);
+        },
+        RowLayout::OneLine))
   {
-    const int* const order = kind->GetOrder();
-    std::transform(
-      order, order + kind->NumberOfNodes, points, [&nodes](int place) { return nodes[place]; });
-    if (this->Dialect != M3DDialect::MVM)
-    {
-      this->Found->Add(row);
-    }
+    return false;
   }
-  return kind;
+  this->NodesEnd = scanner.GetPosition();
+  if (scanner.SkipSpace() && *scanner.GetPosition() != '[')
+  {
+    this->Messages.Add("the section of nodes has more lines than it declares");
+  }
+  if (!FindSection(scanner, "[elements,", scanner.GetBytesLeft(), this->Others))
+  {
+    return scanner.FailAt(scanner.GetEnd(), ErrorKind::Truncated, "the section '[Elements,'");
+  }
+  return scanner.ReadCount(this->NumberOfElements, ElementBytes, "the number of elements");
 }
 
 //------------------------------------------------------------------------------
@@ -116,12 +237,22 @@ bool M3DReading::ReadElements(
   TextScanner& scanner, const TextLines* lines, const Progress& progress)
 {
   const vtkIdType count = this->NumberOfElements;
-  this->Found = std::make_unique<MaterialTally>(scanner.GetEnd());
   if (count == 0)
   {
     return MakeCloud(this->NumberOfNodes, this->Request, this->Piece, this->Mesh);
   }
   const TextScanner start = scanner;
+  const char* const end = scanner.GetEnd();
+  this->ReadFirstMaterial(scanner);
+  const auto read = [&](TextRow& row, std::int32_t* points)
+  {
+    const ElementKind* const kind = ReadElement(row, this->NumberOfNodes, points);
+    if (kind)
+    {
+      this->CompareMaterial(row, end);
+    }
+    return kind;
+  };
   if (!this->Piece.Find(this->NumberOfNodes, count, this->Request,
         [&]
         {
@@ -131,7 +262,7 @@ bool M3DReading::ReadElements(
             [&](vtkIdType i, TextRow& row)
             {
               std::int32_t points[MaxElementNodes];
-              const ElementKind* const kind = this->ReadCell(row, points);
+              const ElementKind* const kind = read(row, points);
               if (kind)
               {
                 this->Piece.Visit(i, points, kind->NumberOfNodes);
@@ -155,7 +286,7 @@ bool M3DReading::ReadElements(
         return true;
       }
       std::int32_t points[MaxElementNodes];
-      const ElementKind* const kind = this->ReadCell(row, points);
+      const ElementKind* const kind = read(row, points);
       if (!kind)
       {
         return false;
@@ -168,6 +299,77 @@ bool M3DReading::ReadElements(
       return true;
     },
     RowLayout::OneLine);
+}
+
+//------------------------------------------------------------------------------
+void M3DReading::ReadFirstMaterial(TextScanner scanner)
+{
+  std::int32_t points[MaxElementNodes];
+  double values[MaterialSize];
+  TextRow row(scanner, RowLayout::OneLine);
+  this->FirstMaterial = {};
+  this->Materials = nullptr;
+  this->HasOtherMaterials = this->LacksMaterials = false;
+  ReadElement(row, this->NumberOfNodes, points);
+  const char* const text = row.GetPosition();
+  if (ReadMaterial(row, values))
+  {
+    this->FirstMaterial = { text, static_cast<std::size_t>(row.GetPosition() - text) };
+    vtkNew<vtkDoubleArray> array;
+    array->SetName(MaterialName);
+    array->SetNumberOfComponents(MaterialSize);
+    array->InsertNextTuple(values);
+    this->Materials = array;
+  }
+}
+
+//------------------------------------------------------------------------------
+// Finds out whether all elements have the material of the first one, by its text.
+void M3DReading::CompareMaterial(TextRow& row, const char* end)
+{
+  const std::size_t size = this->FirstMaterial.size();
+  const char* const text = row.GetPosition();
+  const bool isFirst = static_cast<std::size_t>(end - text) >= size &&
+    std::string_view(text, size) == this->FirstMaterial &&
+    (text + size == end || IsSpace(text[size]));
+  if (size > 0 && !isFirst)
+  {
+    (row.HasMore() ? this->HasOtherMaterials : this->LacksMaterials)
+      .store(true, std::memory_order_relaxed);
+  }
+}
+
+//------------------------------------------------------------------------------
+// Reads the materials of all elements, unless some have none.
+bool M3DReading::ReadMaterials(
+  TextScanner scanner, const TextLines* lines, const Progress& progress)
+{
+  Buffer<double> materials(MaterialSize * this->Piece.GetNumberOfCells());
+  const bool good = ReadRowsOnce(
+    scanner, lines, this->NumberOfElements, progress,
+    [&](vtkIdType i, TextRow& row)
+    {
+      std::int32_t points[MaxElementNodes];
+      double unused[MaterialSize];
+      const vtkIdType cell = this->Piece.FindCell(i);
+      double* const values = cell < 0 ? unused : materials.data() + MaterialSize * cell;
+      if (!ReadElement(row, this->NumberOfNodes, points))
+      {
+        return false;
+      }
+      if (!ReadMaterial(row, values))
+      {
+        this->LacksMaterials.store(true, std::memory_order_relaxed);
+        return false;
+      }
+      return true;
+    },
+    RowLayout::OneLine);
+  if (good)
+  {
+    this->Materials = materials.TakeArray<vtkDoubleArray>(MaterialSize, MaterialName);
+  }
+  return good || this->LacksMaterials;
 }
 
 //------------------------------------------------------------------------------
@@ -184,8 +386,8 @@ bool M3DReading::ReadNodes(
         scanner, lines, this->NumberOfNodes, progress,
         [&](vtkIdType i, TextRow& row)
         {
-          NodeRow node;
-          if (!ReadNode(row, this->Dialect, node))
+          Node node;
+          if (!ReadNode(row, node))
           {
             return false;
           }
@@ -219,54 +421,10 @@ bool M3DReading::ReadNodes(
   this->Points = coordinates.TakeArray<vtkDoubleArray>(3);
   if (withCodes)
   {
-    this->Codes = codes.TakeArray<vtkIntArray>(1, NodeCodeName);
-    this->Projections = projections.TakeArray<vtkDoubleArray>(3, ProjectionName);
+    this->Codes = codes.TakeArray<vtkIntArray>(1, "NodeCode");
+    this->Projections = projections.TakeArray<vtkDoubleArray>(3, "Projection");
   }
   return true;
-}
-
-//------------------------------------------------------------------------------
-// True without materials if some are missing.
-bool M3DReading::ReadMaterials(
-  TextScanner scanner, const TextLines* lines, const Progress& progress)
-{
-  Buffer<double> materials(MaterialSize * this->Piece.GetNumberOfCells());
-  const bool good = ReadRowsOnce(
-    scanner, lines, this->NumberOfElements, progress,
-    [&](vtkIdType i, TextRow& row)
-    {
-      std::int32_t nodes[MaxElementNodes];
-      double unused[MaterialSize];
-      const vtkIdType cell = this->Piece.FindCell(i);
-      double* const values = cell < 0 ? unused : materials.data() + MaterialSize * cell;
-      return ReadElement(row, this->Dialect, this->NumberOfNodes, nodes) &&
-        this->Found->Read(row, values);
-    },
-    RowLayout::OneLine);
-  if (!good)
-  {
-    return this->Found->IsMissingSomewhere();
-  }
-  this->Materials = materials.TakeArray<vtkDoubleArray>(MaterialSize, MaterialName);
-  return true;
-}
-
-//------------------------------------------------------------------------------
-// A material common to all elements becomes field data.
-void M3DReading::AddMaterials()
-{
-  if (this->Materials)
-  {
-    this->Grid->GetCellData()->AddArray(this->Materials);
-  }
-  else if (this->Found->IsFoundSomewhere() && !this->Found->IsMissingSomewhere())
-  {
-    vtkNew<vtkDoubleArray> array;
-    array->SetName(MaterialName);
-    array->SetNumberOfComponents(MaterialSize);
-    array->InsertNextTuple(this->Found->GetMaterial());
-    this->Grid->GetFieldData()->AddArray(array);
-  }
 }
 
 //------------------------------------------------------------------------------
@@ -281,21 +439,8 @@ void M3DReading::WarnOfRest(TextScanner& scanner)
   if (this->Others.Count > 0)
   {
     this->Messages.Add("sections that are not read: " + std::to_string(this->Others.Count) +
-      ", the first is '" + this->Others.First + "'");
+      ", the first is " + this->Others.First);
   }
-}
-
-//------------------------------------------------------------------------------
-bool M3DReading::ReadCounts(TextScanner& scanner)
-{
-  if (!ReadHeading(scanner, this->Dialect, this->Others))
-  {
-    return false;
-  }
-  const bool isMVM = this->Dialect == M3DDialect::MVM;
-  return scanner.ReadCount(
-           this->NumberOfNodes, isMVM ? MVMNodeBytes : NodeBytes, "the number of nodes") &&
-    (!isMVM || scanner.ReadCount(this->NumberOfElements, ElementBytes, "the number of elements"));
 }
 
 //------------------------------------------------------------------------------
@@ -304,41 +449,14 @@ bool M3DReading::Read(TextScanner& scanner, const TextLines* lines, const Progre
   this->Grid->Initialize();
   this->Messages = Warnings();
   this->Others = OtherSections();
-  this->Codes = nullptr;
-  this->Materials = nullptr;
-  if (!this->ReadCounts(scanner))
+  this->Codes = this->Materials = nullptr;
+  if (!ReadHeading(scanner, this->Others) ||
+    !scanner.ReadCount(this->NumberOfNodes, NodeBytes, "the number of nodes"))
   {
     return false;
   }
   // The nodes come first, but the elements determine which of them a piece needs.
   const TextScanner nodes = scanner;
-  if (!SkipRows(
-        scanner, lines, this->NumberOfNodes, progress.Part(0, 0.05),
-        [this](vtkIdType, TextRow& row)
-        {
-          NodeRow node;
-          return ReadNode(row, this->Dialect, node);
-        },
-        RowLayout::OneLine))
-  {
-    return false;
-  }
-  this->NodesEnd = scanner.GetPosition();
-  if (this->Dialect != M3DDialect::MVM)
-  {
-    if (scanner.SkipSpace() && *scanner.GetPosition() != '[')
-    {
-      this->Messages.Add("the section of nodes has more lines than it declares");
-    }
-    if (!FindSection(scanner, "[elements,", scanner.GetBytesLeft(), this->Others))
-    {
-      return scanner.FailAt(scanner.GetEnd(), ErrorKind::Truncated, "the section '[Elements,'");
-    }
-    if (!scanner.ReadCount(this->NumberOfElements, ElementBytes, "the number of elements"))
-    {
-      return false;
-    }
-  }
   this->Piece.SetPoints(
     [&](const PieceOfSpace::Visit& visit)
     {
@@ -347,8 +465,8 @@ bool M3DReading::Read(TextScanner& scanner, const TextLines* lines, const Progre
         again, lines, this->NumberOfNodes, Progress(),
         [&](vtkIdType i, TextRow& row)
         {
-          NodeRow node;
-          const bool isGood = ReadNode(row, this->Dialect, node);
+          Node node;
+          const bool isGood = ReadNode(row, node);
           if (isGood)
           {
             visit(i, node.Position);
@@ -357,30 +475,26 @@ bool M3DReading::Read(TextScanner& scanner, const TextLines* lines, const Progre
         },
         RowLayout::OneLine);
     });
-  const TextScanner elements = scanner;
-  if (!this->ReadElements(scanner, lines, progress.Part(0.05, 0.5)))
+  if (!this->FindElements(scanner, lines, progress.Part(0, 0.05)))
   {
     return false;
   }
-
-  if (!this->ReadNodes(nodes, lines, false, progress.Part(0.5, 0.8)) ||
-    (this->Found->Varies() && !this->Found->IsMissingSomewhere() &&
+  const TextScanner elements = scanner;
+  if (!this->ReadElements(scanner, lines, progress.Part(0.05, 0.5)) ||
+    !this->ReadNodes(nodes, lines, false, progress.Part(0.5, 0.8)) ||
+    (this->HasOtherMaterials && !this->LacksMaterials &&
       !this->ReadMaterials(elements, lines, progress.Part(0.8, 0.9))))
   {
     return false;
   }
-
-  if (this->Request.Piece == 0)
+  if (this->HasOtherMaterials && this->LacksMaterials)
   {
-    if (this->Found->Varies() && this->Found->IsMissingSomewhere())
-    {
-      this->Messages.Add("materials are not read, as some elements have none");
-    }
-    this->Piece.WarnOfRepeatedPoints(
-      this->Mesh, this->Messages, progress.Part(0.9, 1), "element", "elements");
-    this->WarnOfRest(scanner);
+    this->Messages.Add("materials are not read, as some elements have none");
   }
-  else
+  this->Piece.WarnOfRepeatedPoints(
+    this->Mesh, this->Messages, progress.Part(0.9, 1), "element", "elements");
+  this->WarnOfRest(scanner);
+  if (this->Request.Piece > 0) // the first piece has warned
   {
     this->Messages = Warnings();
   }
@@ -390,7 +504,12 @@ bool M3DReading::Read(TextScanner& scanner, const TextLines* lines, const Progre
     this->Grid->GetPointData()->AddArray(this->Codes);
     this->Grid->GetPointData()->AddArray(this->Projections);
   }
-  this->AddMaterials();
+  if (this->Materials && !this->LacksMaterials)
+  {
+    vtkFieldData* const data =
+      this->HasOtherMaterials ? this->Grid->GetCellData() : this->Grid->GetFieldData();
+    data->AddArray(this->Materials);
+  }
   return !progress.IsStopped();
 }
 }
@@ -400,10 +519,9 @@ bool IsM3D(const std::string& path)
 {
   const MappedFile file(path);
   TextScanner scanner("", file.begin(), file.end(), '#');
-  M3DDialect dialect;
   OtherSections others;
   std::int64_t nodes;
-  return ReadHeading(scanner, dialect, others) && scanner.ReadInteger(nodes, "");
+  return ReadHeading(scanner, others) && scanner.ReadInteger(nodes, "");
 }
 
 //------------------------------------------------------------------------------

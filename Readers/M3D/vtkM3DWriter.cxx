@@ -23,26 +23,6 @@ namespace camaron
 namespace
 {
 //------------------------------------------------------------------------------
-const char* GetName(M3DDialect dialect)
-{
-  return dialect == M3DDialect::M2D ? "M2D" : dialect == M3DDialect::MVM ? "MVM" : "M3D";
-}
-
-//------------------------------------------------------------------------------
-CellTypeSet GetTypes(M3DDialect dialect)
-{
-  switch (dialect)
-  {
-    case M3DDialect::M2D:
-      return { VTK_TRIANGLE, VTK_QUAD };
-    case M3DDialect::MVM:
-      return { VTK_TETRA, VTK_PYRAMID, VTK_WEDGE, VTK_HEXAHEDRON, VTK_TRIANGLE, VTK_QUAD };
-    default:
-      return { VTK_TETRA, VTK_PYRAMID, VTK_WEDGE, VTK_HEXAHEDRON };
-  }
-}
-
-//------------------------------------------------------------------------------
 // Formats the material of elements.
 class MaterialText
 {
@@ -116,39 +96,24 @@ void WarnOfOtherMaterials(vtkDataSet* mesh, Warnings& warnings)
 }
 
 //------------------------------------------------------------------------------
-// The dialect of the extension of a path; M3D for unknown extensions.
-M3DDialect GetDialect(const std::string& path)
-{
-  const std::string extension = path.size() < 4 ? "" : ToLower(path.substr(path.size() - 4));
-  return extension == ".m2d" ? M3DDialect::M2D
-    : extension == ".mvm"    ? M3DDialect::MVM
-                             : M3DDialect::M3D;
-}
-
-//------------------------------------------------------------------------------
 // The material of elements comes from the cell array or the field data "Material" with three
 // components, else the default of mesh generators is written. All nodes get code 1.
-bool WriteM3D(const std::string& path, vtkDataSet* mesh, M3DDialect dialect, int wantedDigits,
-  UnsupportedCells others, Warnings& warnings, ScanError& error, const Progress& progress)
+bool WriteM3D(const std::string& path, vtkDataSet* mesh, int wantedDigits, UnsupportedCells others,
+  Warnings& warnings, ScanError& error, const Progress& progress)
 {
-  const bool isMVM = dialect == M3DDialect::MVM;
+  const bool isM2D = path.size() >= 4 && EqualsInAnyCase(path.substr(path.size() - 4), ".m2d");
   const MaterialText material(mesh);
-  if (isMVM)
+  WarnOfOtherMaterials(mesh, warnings);
+  WrittenArrays written;
+  written.Points = written.Cells = { MaterialName }; // warned about above
+  if (material.IsCommon())
   {
-    WarnOfArrays(mesh, GetName(dialect), warnings);
+    written.Fields = { MaterialName };
   }
-  else
-  {
-    WarnOfOtherMaterials(mesh, warnings);
-    WrittenArrays written;
-    written.Points = written.Cells = { MaterialName }; // warned about above
-    if (material.IsCommon())
-    {
-      written.Fields = { MaterialName };
-    }
-    WarnOfArrays(mesh, GetName(dialect), warnings, written);
-  }
-  const CellConversion how{ GetName(dialect), GetTypes(dialect), others };
+  const CellConversion how = isM2D
+    ? CellConversion{ "M2D", { VTK_TRIANGLE, VTK_QUAD }, others }
+    : CellConversion{ "M3D", { VTK_TETRA, VTK_PYRAMID, VTK_WEDGE, VTK_HEXAHEDRON }, others };
+  WarnOfArrays(mesh, how.Format.c_str(), warnings, written);
   OutputMesh output;
   if (!ConvertCells(mesh, how, path, output, warnings, error, progress.Part(0, 0.3)))
   {
@@ -160,26 +125,24 @@ bool WriteM3D(const std::string& path, vtkDataSet* mesh, M3DDialect dialect, int
   const std::string cells = std::to_string(output.GetNumberOfCells());
 
   OutputFile file(path);
-  file.Write(isMVM ? "MIXED\n" + points + " " + cells + "\n\n"
-                   : "[Nodes, ARRAY1<STRING>]\n" + points + "\n\n");
+  file.Write("[Nodes, ARRAY1<STRING>]\n" + points + "\n\n");
   const RealFormat format = RealFormat::Exponent(digits - 1, 'E', true);
   bool good = WriteRows(file, output.GetNumberOfPoints(), progress.Part(0.3, 0.7),
     [&](vtkIdType point, std::string& text)
     {
       double x[3];
       output.GetPoint(point, x);
-      text += isMVM ? "" : "1 ";
+      text += "1 ";
       format.AppendRow(text, x, 3);
     });
-  if (!isMVM)
-  {
-    file.Write("\n[Elements, ARRAY1<STRING>]\n" + cells + "\n\n");
-  }
+  file.Write("\n[Elements, ARRAY1<STRING>]\n" + cells + "\n\n");
   good = good &&
     WriteRows(file, output.GetNumberOfCells(), progress.Part(0.7, 1),
       [&](vtkIdType cell, std::string& text)
       {
-        const ElementKind* const kind = FindElementKind(output.GetCellType(cell), dialect);
+        const unsigned char type = output.GetCellType(cell);
+        const ElementKind* const kind =
+          FindElementKind([type](const ElementKind& one) { return one.Type == type; });
         const IndexRange nodes = output.GetCellPoints(cell);
         const int* const order = kind->GetOrder();
         text += kind->Letter;
@@ -188,10 +151,7 @@ bool WriteM3D(const std::string& path, vtkDataSet* mesh, M3DDialect dialect, int
           text += ' ';
           AppendNumber(text, nodes[order[i]]);
         }
-        if (!isMVM)
-        {
-          material.Append(text, output.GetInputCell(cell));
-        }
+        material.Append(text, output.GetInputCell(cell));
         text += '\n';
       });
   return file.Finish(good, error);
@@ -205,17 +165,13 @@ vtkStandardNewMacro(vtkM3DWriter);
 bool vtkM3DWriter::WriteMesh(const std::string& path, vtkDataSet* mesh, camaron::Warnings& warnings,
   camaron::ScanError& error, const camaron::Progress& progress)
 {
-  const camaron::M3DDialect dialect = this->Dialect == AUTOMATIC
-    ? camaron::GetDialect(path)
-    : static_cast<camaron::M3DDialect>(this->Dialect - M3D);
   return camaron::WriteM3D(
-    path, mesh, dialect, this->Digits, this->GetOtherCells(), warnings, error, progress);
+    path, mesh, this->Digits, this->GetOtherCells(), warnings, error, progress);
 }
 
 //------------------------------------------------------------------------------
 void vtkM3DWriter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Dialect: " << this->Dialect << "\n";
   os << indent << "Digits: " << this->Digits << "\n";
 }

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkM3DWriter
- * @brief Writes meshes of mixed elements to M3D, M2D and MVM files.
+ * @brief Writes meshes of mixed elements to M3D and M2D files.
  *
- * See Readers/M3D/README.md. M3D files store tetrahedra, pyramids, prisms and hexahedra, M2D files
- * triangles and quadrilaterals, MVM files all of these; UnsupportedCells determines the treatment
- * of other cells. The only array written is "Material", of cells or field data, with three
- * components. Nodes are written at their position, with code 1.
+ * See Readers/M3D/README.md. M3D files store tetrahedra, pyramids, prisms and hexahedra, M2D files,
+ * which have this extension, triangles and quadrilaterals; UnsupportedCells determines the
+ * treatment of other cells. The only array written is "Material", of cells or field data, with
+ * three components. Nodes are written at their position, with code 1.
  *
  * @sa vtkM3DReader
  */
@@ -22,22 +22,6 @@ public:
   static vtkM3DWriter* New();
   vtkTypeMacro(vtkM3DWriter, vtkCellMeshFileWriter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-
-  enum DialectType
-  {
-    AUTOMATIC = 0, ///< by the extension of the file; M3D for unknown extensions
-    M3D = 1,
-    M2D = 2,
-    MVM = 3
-  };
-
-  ///@{
-  /**
-   * Dialect of the file. Default: AUTOMATIC.
-   */
-  vtkSetClampMacro(Dialect, int, AUTOMATIC, MVM);
-  vtkGetMacro(Dialect, int);
-  ///@}
 
   ///@{
   /**
@@ -60,7 +44,6 @@ private:
   vtkM3DWriter(const vtkM3DWriter&) = delete;
   void operator=(const vtkM3DWriter&) = delete;
 
-  int Dialect = AUTOMATIC;
   int Digits = 0;
 };
 

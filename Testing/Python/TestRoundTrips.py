@@ -21,7 +21,6 @@ HELD = {
     "visf": VOLUMES | SURFACES | {"polyhedra", "cloud"},
     "m3d": VOLUMES | {"inverted", "cloud"},
     "m2d": {"triangles", "quads", "cloud"},
-    "mvm": VOLUMES | {"inverted", "triangles", "quads", "cloud"},
     "tri": {"triangles", "cloud"},
     "Cart3D.tri": {"triangles", "cloud"},
     "ts": {"tetrahedra", "inverted", "cloud"},

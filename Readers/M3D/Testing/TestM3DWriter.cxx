@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Written M3D, M2D and MVM files: exact bytes, and the same mesh when they are read again.
+// Written M3D and M2D files: exact bytes, and the same mesh when they are read again.
 #include "FormatTesting.h"
 #include "SharedData.h"
 #include "TestMeshes.h"
@@ -112,17 +112,13 @@ TEST(M3DWriter, RoundTrips)
 {
   const Grid flat =
     MakeGrid(Corners, { { VTK_QUAD, { 0, 1, 2, 3 } }, { VTK_TRIANGLE, { 1, 9, 2 } } });
-  Grid all = MakeMixed();
-  all->InsertNextCell(VTK_QUAD, 4, std::array<vtkIdType, 4>{ 0, 1, 2, 3 }.data());
-  all->InsertNextCell(VTK_TRIANGLE, 3, std::array<vtkIdType, 3>{ 1, 9, 2 }.data());
   const Grid cloud =
     MakeGrid({ { 1, 2, 3 }, { 4, 5, 6 } }, { { VTK_VERTEX, { 0 } }, { VTK_VERTEX, { 1 } } });
   const struct
   {
     Grid Mesh;
     const char* Name;
-  } cases[] = { { MakeMixed(), "a.m3d" }, { flat, "a.M2D" }, { all, "a.mvm" },
-    { MakeMixed(), "a.mvm" }, { cloud, "a.m3d" } };
+  } cases[] = { { MakeMixed(), "a.m3d" }, { flat, "a.M2D" }, { cloud, "a.m3d" } };
   for (const auto& c : cases)
   {
     const Written file = Write(c.Mesh, c.Name);
@@ -233,9 +229,6 @@ TEST(M3DWriter, WritesMaterials)
   const Result again = ReadWith<vtkM3DReader>(File(each.Bytes, "b.m3d").Path);
   EXPECT_TRUE(HaveSameValues(
     again.Grid->GetCellData()->GetArray("Material"), grid->GetCellData()->GetArray("Material")));
-  const Written none = Write(grid, "test.mvm");
-  ASSERT_EQ(none.Warnings.size(), 1u);
-  EXPECT_NE(none.Warnings[0].find("Material"), std::string::npos);
 
   // An array of this name that is not a material, as from other readers, is reported as such.
   Grid number = MakeMixed();
@@ -300,13 +293,10 @@ TEST(M3DWriter, WhatItCannotHold)
 }
 
 //------------------------------------------------------------------------------
-TEST(M3DWriter, DialectIsAnOption)
+TEST(M3DWriter, ExtensionDecides)
 {
-  const Written file =
-    Write(MakeMixed(), "test.m2d", [](vtkM3DWriter* w) { w->SetDialect(vtkM3DWriter::M3D); });
-  EXPECT_TRUE(file.Success);
   EXPECT_EQ(Write(MakeMixed(), "test.m2d").Success, 0);
-  EXPECT_EQ(Write(MakeMixed(), "test").Bytes, file.Bytes);
+  EXPECT_EQ(Write(MakeMixed(), "test").Bytes, Write(MakeMixed(), "test.m3d").Bytes);
 }
 
 //------------------------------------------------------------------------------
