@@ -15,24 +15,34 @@
 
 namespace camaron
 {
-struct MAPDLNode
-{
-  std::int32_t Id;
-  double X[3];
-};
-
 /// Nodes or elements of a block, or of consecutive commands.
-template <typename RowFormat>
+template <typename RowFormat, typename RowItem>
 struct MAPDLBlock
 {
   RowFormat Format;
   MAPDLExtent Extent;         ///< empty for commands
   vtkIdType FirstCommand = 0; ///< among MAPDLDeck::Nodes or MAPDLDeck::Elements
   vtkIdType NumberOfCommands = 0;
-  vtkIdType GetNumberOfRows() const { return this->Extent.NumberOfRows + this->NumberOfCommands; }
+
+  /// Calls @a visit(item) for all rows of the block, in order; false with the first fault.
+  template <typename Visit>
+  bool ForEachRow(MAPDLFault& fault, Visit&& visit) const
+  {
+    RowItem item;
+    return ForEachMAPDLRow(this->Extent, fault,
+      [&](const Line& line, vtkIdType)
+      {
+        const char* const next = this->Format.Read(line, this->Extent.End, item, fault);
+        if (next)
+        {
+          visit(item);
+        }
+        return next;
+      });
+  }
 };
-using MAPDLNodeBlock = MAPDLBlock<MAPDLRowFormat>;
-using MAPDLElementBlock = MAPDLBlock<MAPDLElementFormat>;
+using MAPDLNodeBlock = MAPDLBlock<MAPDLNodeFormat, MAPDLNode>;
+using MAPDLElementBlock = MAPDLBlock<MAPDLElementFormat, MAPDLElement>;
 
 /// An element type of the deck.
 struct MAPDLType

@@ -78,8 +78,8 @@ bool MAPDLMesh::ForEachNode(bool withIds, const Progress& progress, VisitNode vi
           {
             std::int32_t id = 0;
             double x[3];
-            const bool good = withIds ? ReadMAPDLNodeId(block.Format, line, id, fault)
-                                      : ReadMAPDLNode(block.Format, line, x, fault);
+            const bool good = withIds ? block.Format.ReadId(line, id, fault)
+                                      : block.Format.ReadPoint(line, x, fault);
             if (good)
             {
               visit(row++, id, x);

@@ -87,20 +87,19 @@ bool MAPDLRowFormat::ReadInteger(const Line& line, int i, const char* what, std:
 }
 
 //------------------------------------------------------------------------------
-bool ReadMAPDLNodeId(
-  const MAPDLRowFormat& format, const Line& line, std::int32_t& id, MAPDLFault& fault)
+bool MAPDLNodeFormat::ReadId(const Line& line, std::int32_t& id, MAPDLFault& fault) const
 {
-  return format.ReadInteger(line, 0, "the number of a node from 1 to 2147483647", id, fault, 1);
+  return this->Fields.ReadInteger(line, 0, "the number of a node from 1 to 2147483647", id, fault, 1);
 }
 
 //------------------------------------------------------------------------------
-bool ReadMAPDLNode(const MAPDLRowFormat& format, const Line& line, double x[3], MAPDLFault& fault)
+bool MAPDLNodeFormat::ReadPoint(const Line& line, double x[3], MAPDLFault& fault) const
 {
   constexpr char Coordinate[] = "a coordinate of a node";
-  const int first = format.GetNumberOfIntegers();
-  return format.Read(line, first, Coordinate, x[0], fault) &&
-    format.Read(line, first + 1, Coordinate, x[1], fault) &&
-    format.Read(line, first + 2, Coordinate, x[2], fault);
+  const int first = this->Fields.GetNumberOfIntegers();
+  return this->Fields.Read(line, first, Coordinate, x[0], fault) &&
+    this->Fields.Read(line, first + 1, Coordinate, x[1], fault) &&
+    this->Fields.Read(line, first + 2, Coordinate, x[2], fault);
 }
 
 //------------------------------------------------------------------------------

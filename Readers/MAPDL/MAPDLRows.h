@@ -88,13 +88,27 @@ private:
   int Integers = 0;
 };
 
-///@{
-/// Read a row of NBLOCK: id, entity of the solid model, position on it, x, y, z, angles; or without
-/// the second and third.
-bool ReadMAPDLNodeId(
-  const MAPDLRowFormat& format, const Line& line, std::int32_t& id, MAPDLFault& fault);
-bool ReadMAPDLNode(const MAPDLRowFormat& format, const Line& line, double x[3], MAPDLFault& fault);
-///@}
+struct MAPDLNode
+{
+  std::int32_t Id;
+  double X[3];
+};
+
+/// Rows of NBLOCK: id, entity of the solid model, position on it, x, y, z, angles; or without the
+/// second and third.
+struct MAPDLNodeFormat
+{
+  MAPDLRowFormat Fields;
+
+  bool ReadId(const Line& line, std::int32_t& id, MAPDLFault& fault) const;
+  bool ReadPoint(const Line& line, double x[3], MAPDLFault& fault) const;
+  /// Reads the node of a line; as MAPDLElementFormat::Read.
+  const char* Read(const Line& line, const char*, MAPDLNode& node, MAPDLFault& fault) const
+  {
+    const bool good = this->ReadId(line, node.Id, fault) && this->ReadPoint(line, node.X, fault);
+    return good ? line.Next : nullptr;
+  }
+};
 
 /// An element as given by rows and commands.
 struct MAPDLElement

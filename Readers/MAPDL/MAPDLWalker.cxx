@@ -17,6 +17,19 @@ constexpr const char* MeshCommands[] = { "/INPUT", "*REPEAT", "AMESH", "CDREAD",
 }
 
 //------------------------------------------------------------------------------
+template <std::int32_t MAPDLElement::* Attribute>
+bool MAPDLWalker::SetAttribute()
+{
+  std::int32_t value = 1;
+  if (this->ReadField(1, value) != Value::Unknown)
+  {
+    this->AttributesChanged = true;
+    this->Current.*Attribute = value;
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
 // In the order of their frequency: every command is looked for here.
 const MAPDLWalker::Effect MAPDLWalker::Effects[] = {
   { "N", &MAPDLWalker::DefineNode },

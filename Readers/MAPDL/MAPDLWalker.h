@@ -70,10 +70,9 @@ private:
   bool DefineUnblockedElement();
   bool AddElement(std::int32_t id);
   bool AddElementNodes(std::size_t firstField);
-  /// Number for a node or element without one, after the greatest so far.
-  template <typename Block, typename ReadId>
+  template <typename Block>
   static std::int32_t GetNext(
-    const std::vector<Block>& blocks, std::size_t& known, std::int32_t& greatest, ReadId&& readId);
+    const std::vector<Block>& blocks, std::size_t& known, std::int32_t& greatest);
   std::int32_t GetNextNode();
   std::int32_t GetNextElement();
 
@@ -91,13 +90,10 @@ private:
   bool Measure(FunctionRef<int(const Line&)> getFurtherLines, MAPDLExtent& extent);
   /// Number of rows that a block declares, 0 if it does not.
   std::int32_t GetPromisedRows() const;
-  /**
-   * Moves behind a block; false with a fault if it neither has an end mark nor the declared number
-   * of rows.
-   * @param checkRows reports an error in a row, which may be why there is no end
-   */
-  template <typename CheckRows>
-  bool TakeEnd(const MAPDLExtent& extent, const char* expected, CheckRows&& checkRows);
+  /// Moves behind a block; false with a fault if it neither has an end mark nor the declared number
+  /// of rows, perhaps because of an error in a row.
+  template <typename Block>
+  bool TakeEnd(const Block& block, const char* expected);
   bool FindFurtherLines(MAPDLElementFormat& format);
 
   const char* Begin;

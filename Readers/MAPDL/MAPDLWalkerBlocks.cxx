@@ -80,9 +80,10 @@ std::int32_t MAPDLWalker::GetPromisedRows() const
 }
 
 //------------------------------------------------------------------------------
-template <typename CheckRows>
-bool MAPDLWalker::TakeEnd(const MAPDLExtent& extent, const char* expected, CheckRows&& checkRows)
+template <typename Block>
+bool MAPDLWalker::TakeEnd(const Block& block, const char* expected)
 {
+  const MAPDLExtent& extent = block.Extent;
   // Blocks end with -1; those of nodes also with N,R5.3,LOC,-1 or the like.
   MAPDLCommand command;
   const char* text = extent.End;
@@ -92,7 +93,7 @@ bool MAPDLWalker::TakeEnd(const MAPDLExtent& extent, const char* expected, Check
   const std::int32_t promised = this->GetPromisedRows();
   if (!hasMark && (promised == 0 || extent.NumberOfRows < promised))
   {
-    return checkRows() &&
+    return block.ForEachRow(this->Fault, [](const auto&) {}) &&
       this->Fault.Set(SkipBlanks(extent.End, this->End),
         extent.IsEnded ? ErrorKind::Syntax : ErrorKind::Truncated, expected);
   }
@@ -105,9 +106,9 @@ bool MAPDLWalker::TakeEnd(const MAPDLExtent& extent, const char* expected, Check
 bool MAPDLWalker::ReadNodeBlock()
 {
   MAPDLNodeBlock block;
-  const MAPDLRowFormat& format = block.Format;
+  MAPDLRowFormat& format = block.Format.Fields;
   int key = 0;
-  if (!this->TakeKey("NBLOCK", { "SOLID" }, key) || !this->TakeFormat(1, block.Format))
+  if (!this->TakeKey("NBLOCK", { "SOLID" }, key) || !this->TakeFormat(1, format))
   {
     return false;
   }
@@ -116,20 +117,8 @@ bool MAPDLWalker::ReadNodeBlock()
     return this->Fault.Set(this->LineBegin, ErrorKind::Unsupported,
       "a format with columns for coordinates, such as (3i9,6e21.13e3)", "none");
   }
-  const auto checkRows = [&]
-  {
-    return ForEachMAPDLRow(block.Extent, this->Fault,
-      [&](const Line& line, vtkIdType)
-      {
-        std::int32_t id;
-        double x[3];
-        const bool good = ReadMAPDLNodeId(format, line, id, this->Fault) &&
-          ReadMAPDLNode(format, line, x, this->Fault);
-        return good ? line.Next : nullptr;
-      });
-  };
   if (!this->Measure([](const Line&) { return 0; }, block.Extent) ||
-    !this->TakeEnd(block.Extent, "more nodes, or the end of their block", checkRows))
+    !this->TakeEnd(block, "more nodes, or the end of their block"))
   {
     return false;
   }
@@ -177,15 +166,9 @@ bool MAPDLWalker::ReadElementBlock()
   {
     return false;
   }
-  const auto checkRows = [&]
-  {
-    MAPDLElement element;
-    return ForEachMAPDLRow(block.Extent, this->Fault, [&](const Line& line, vtkIdType)
-      { return format.Read(line, block.Extent.End, element, this->Fault); });
-  };
   if (!this->Measure([&format](const Line& line) { return format.GetNumberOfFurtherLines(line); },
         block.Extent) ||
-    !this->TakeEnd(block.Extent, "more elements, or the end of their block", checkRows))
+    !this->TakeEnd(block, "more elements, or the end of their block"))
   {
     return false;
   }
@@ -235,37 +218,27 @@ bool MAPDLWalker::ReadComponent()
 bool MAPDLWalker::ReadTypeBlock()
 {
   MAPDLRowFormat format;
-  if (!this->TakeFormat(2, format))
+  MAPDLExtent rows;
+  if (!this->TakeFormat(2, format) || !this->Measure([](const Line&) { return 0; }, rows))
   {
     return false;
   }
-  while (this->Text < this->End)
-  {
-    const Line line(this->Text, this->End);
-    const MAPDLLine kind = ClassifyMAPDLLine(line);
-    if (kind == MAPDLLine::Command)
+  this->Text = rows.Next;
+  return ForEachMAPDLRow(rows, this->Fault,
+    [&](const Line& line, vtkIdType)
     {
-      break;
-    }
-    this->Text = line.Next;
-    if (kind == MAPDLLine::End)
-    {
-      break;
-    }
-    std::int32_t type = 0;
-    MAPDLType element;
-    if (kind == MAPDLLine::Row)
-    {
+      std::int32_t type = 0;
+      MAPDLType element;
       MAPDLFault ignored; // options may be words
-      if (!format.ReadInteger(line, 0, "the number of an element type", type, this->Fault) ||
-        !format.ReadInteger(line, 1, "the number of an element", element.Element, this->Fault))
-      {
-        return false;
-      }
+      const bool good =
+        format.ReadInteger(line, 0, "the number of an element type", type, this->Fault) &&
+        format.ReadInteger(line, 1, "the number of an element", element.Element, this->Fault);
       format.ReadInteger(line, 2, "", element.Shape, ignored);
-      this->Deck.Types[type] = element;
-    }
-  }
-  return true;
+      if (good)
+      {
+        this->Deck.Types[type] = element;
+      }
+      return good ? line.Next : nullptr;
+    });
 }
 }

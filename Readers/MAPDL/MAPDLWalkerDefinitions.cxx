@@ -80,40 +80,16 @@ bool MAPDLWalker::DefineKeyOption()
 }
 
 //------------------------------------------------------------------------------
-template <std::int32_t MAPDLElement::* Attribute>
-bool MAPDLWalker::SetAttribute()
-{
-  std::int32_t value = 1;
-  if (this->ReadField(1, value) != Value::Unknown)
-  {
-    this->AttributesChanged = true;
-    this->Current.*Attribute = value;
-  }
-  return true;
-}
-
-template bool MAPDLWalker::SetAttribute<&MAPDLElement::Type>();
-template bool MAPDLWalker::SetAttribute<&MAPDLElement::Material>();
-template bool MAPDLWalker::SetAttribute<&MAPDLElement::Real>();
-template bool MAPDLWalker::SetAttribute<&MAPDLElement::Section>();
-
-//------------------------------------------------------------------------------
-// Calls readRow(block, line, id, fault), which returns where the next line begins.
-template <typename Block, typename ReadRow>
+// Number for a node or element without one, after the greatest so far.
+template <typename Block>
 std::int32_t MAPDLWalker::GetNext(
-  const std::vector<Block>& blocks, std::size_t& known, std::int32_t& greatest, ReadRow&& readRow)
+  const std::vector<Block>& blocks, std::size_t& known, std::int32_t& greatest)
 {
   for (; known < blocks.size(); ++known)
   {
     MAPDLFault fault; // found again and reported when the block is read
-    ForEachMAPDLRow(blocks[known].Extent, fault,
-      [&](const Line& line, vtkIdType)
-      {
-        std::int32_t id = 0;
-        const char* const next = readRow(blocks[known], line, id, fault);
-        greatest = std::max(greatest, id);
-        return next;
-      });
+    blocks[known].ForEachRow(
+      fault, [&greatest](const auto& item) { greatest = std::max(greatest, item.Id); });
   }
   return greatest < MaxMAPDLId ? greatest + 1 : MaxMAPDLId;
 }
@@ -121,23 +97,13 @@ std::int32_t MAPDLWalker::GetNext(
 //------------------------------------------------------------------------------
 std::int32_t MAPDLWalker::GetNextNode()
 {
-  return GetNext(this->Deck.NodeBlocks, this->KnownNodeBlocks, this->GreatestNode,
-    [](const MAPDLNodeBlock& block, const Line& line, std::int32_t& id, MAPDLFault& fault)
-    { return ReadMAPDLNodeId(block.Format, line, id, fault) ? line.Next : nullptr; });
+  return GetNext(this->Deck.NodeBlocks, this->KnownNodeBlocks, this->GreatestNode);
 }
 
 //------------------------------------------------------------------------------
 std::int32_t MAPDLWalker::GetNextElement()
 {
-  MAPDLElement element;
-  return GetNext(this->Deck.ElementBlocks, this->KnownElementBlocks, this->GreatestElement,
-    [&element](
-      const MAPDLElementBlock& block, const Line& line, std::int32_t& id, MAPDLFault& fault)
-    {
-      const char* const next = block.Format.Read(line, block.Extent.End, element, fault);
-      id = element.Id;
-      return next;
-    });
+  return GetNext(this->Deck.ElementBlocks, this->KnownElementBlocks, this->GreatestElement);
 }
 
 //------------------------------------------------------------------------------
