@@ -167,6 +167,12 @@ def drag(first, last, modifiers=0):
     ]
 
 
+def double_click(view, row):
+    """A double-click on an item of a list."""
+    commands = (("mousePress", 1), ("mouseRelease", 0), ("mouseDblClick", 1), ("mouseRelease", 0))
+    return [event(view, command, f"1,{held},0,10,10,/{row}:0") for command, held in commands]
+
+
 class TestMeshInspector(WindowTestCase):
     def count(self, path):
         return self.script(f"count_{path.name}", COUNT.replace("PATH", repr(str(path))))
@@ -290,13 +296,13 @@ class TestMeshInspector(WindowTestCase):
             *self.count(brushed),
             *open_card("Selection"),
             event(card("Selection", "Grow"), "activate"),
-            check(card("Selection", "Steps"), "count", "1"),
+            check(card("Selection", "Steps"), "count", "2"),
             edit("Undo"),
             *self.count(undone),
             check(card("Selection", "Steps"), "count", "1"),
             event(card("Selection", "Grow"), "activate"),
             event(card("Selection", "Invert"), "activate"),
-            check(card("Selection", "Steps"), "count", "2"),
+            check(card("Selection", "Steps"), "count", "3"),
             event(card("Selection", "History"), "menu", "2"),
             *self.count(taken),
             check(card("Selection", "Steps"), "count", "1"),
@@ -305,6 +311,35 @@ class TestMeshInspector(WindowTestCase):
         self.assertGreater(int(brushed.read_text()), 0)
         self.assertEqual(undone.read_text(), brushed.read_text())
         self.assertEqual(taken.read_text(), brushed.read_text())
+
+    def test_steps(self):
+        """The list begins with the cell that was picked, also after it has grown twice. A double-click goes back to a step
+        after something else was selected in the view, and to the picked cell."""
+        counts = [self.folder / str(i) for i in range(4)]
+        steps = card("Selection", "Steps")
+        pick = self.script("pick", PICK)
+        self.play(
+            *start(),
+            *open_card("Selection"),
+            *pick,
+            check(steps, "count", "1"),
+            event(card("Selection", "Grow"), "activate"),
+            event(card("Selection", "Grow"), "activate"),
+            *self.count(counts[0]),
+            check(steps, "count", "2"),
+            *pick,
+            *self.count(counts[1]),
+            check(steps, "count", "3"),
+            *double_click(steps, 1),
+            *self.count(counts[2]),
+            check(steps, "count", "2"),
+            *double_click(steps, 0),
+            *self.count(counts[3]),
+            check(steps, "count", "1"),
+        )
+        grown, picked, again, first = (int(path.read_text()) for path in counts)
+        self.assertGreater(grown, 4)
+        self.assertEqual((picked, again, first), (1, grown, 1))
 
     def test_deformed(self):
         """Evaluate leaves the Element Quality before a filter that changes the cells as it is."""

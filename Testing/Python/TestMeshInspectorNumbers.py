@@ -19,6 +19,7 @@ from TestMeshInspector import (
     SHIFT,
     STEPS,
     card,
+    double_click,
     open_card,
     start,
 )
@@ -199,10 +200,10 @@ with open(PATH, "w") as file:
             check(card("Selection", "Steps"), "count", "1"),
             event(history, "menu", "0"),
             *count(3),
-            check(card("Selection", "Steps"), "count", "1"),
+            check(card("Selection", "Steps"), "count", "2"),
             event(card("Selection", "Grow"), "activate"),
             *count(4),
-            check(card("Selection", "Steps"), "count", "1"),
+            check(card("Selection", "Steps"), "count", "2"),
             event(history, "menu", "1"),
             *count(5),
         )
@@ -270,13 +271,16 @@ with open(PATH, "w") as file:
         self.play(*start(), *open_card("Check"), *events)
 
     def test_loaded_state(self):
-        """A state loaded in the window has the same criteria, histogram and selected cells."""
+        """A state loaded in the window has the same criteria, histogram and selected cells, and goes back to the brush
+        with which the steps began."""
         state, selected, loaded = (self.folder / n for n in ("s.pvsm", "selected", "loaded"))
-        names = card("Criteria", "Tree")
+        brushed, again = self.folder / "brushed", self.folder / "again"
+        names, steps = card("Criteria", "Tree"), card("Selection", "Steps")
         self.require_events()
         self.play(
             *start(),
             drag(21, 24),
+            *self.script("brushed", COUNT.replace("PATH", repr(str(brushed)))),
             *open_card("Selection"),
             event(card("Selection", "Grow"), "activate"),
             *self.script("count", COUNT.replace("PATH", repr(str(selected)))),
@@ -290,10 +294,14 @@ with open(PATH, "w") as file:
             *self.script("loaded", STEPS.replace("PATH", repr(str(loaded)))),
             check(card("Histogram", "Criterion"), "currentText", "Minimum dihedral angle"),
             check(PLOT, "acceptableLow", "20"),
-            check(card("Selection", "Steps"), "count", "1"),
+            check(steps, "count", "2"),
+            *double_click(steps, 0),
+            *self.script("again", COUNT.replace("PATH", repr(str(again)))),
+            check(steps, "count", "1"),
         )
         self.assertGreater(int(selected.read_text()), 0)
         self.assertEqual(loaded.read_text(), selected.read_text())
+        self.assertEqual(again.read_text(), brushed.read_text())
 
 
 if __name__ == "__main__":

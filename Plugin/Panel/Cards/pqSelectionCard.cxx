@@ -25,6 +25,7 @@
 namespace
 {
 constexpr int MostSteps = 20; // to go back
+constexpr int Present = -1;   // what is selected now, to which one need not go back
 
 //------------------------------------------------------------------------------
 // Shows no more digits than the number has.
@@ -179,18 +180,26 @@ void pqSelectionCard::refresh()
   {
     this->Adjacency->setCurrentIndex(0);
   }
-  QStringList steps = this->selection()->steps();
-  this->Steps->clear();
-  const int filters = static_cast<int>(steps.size());
+  QVector<QPair<QString, int>> steps; // and the number of filters to go back to
+  if (!this->selection()->first().isEmpty())
+  {
+    steps << qMakePair(this->selection()->first(), 0);
+  }
+  int filters = 0;
+  for (const QString& step : this->selection()->steps())
+  {
+    steps << qMakePair(step, ++filters);
+  }
   if (!this->selection()->last().isEmpty())
   {
-    steps << this->selection()->last();
+    steps << qMakePair(this->selection()->last(), Present);
   }
+  this->Steps->clear();
   const int count = static_cast<int>(steps.size());
   for (int i = qMax(0, count - MostSteps); i < count; ++i)
   {
-    auto* item = new QListWidgetItem(QString("%1. %2").arg(i + 1).arg(steps[i]), this->Steps);
-    item->setData(Qt::UserRole, qMin(i + 1, filters));
+    auto* item = new QListWidgetItem(QString("%1. %2").arg(i + 1).arg(steps[i].first), this->Steps);
+    item->setData(Qt::UserRole, steps[i].second);
   }
   this->Steps->scrollToBottom();
   this->Message->setVisible(!this->Message->text().isEmpty());
@@ -243,7 +252,10 @@ void pqSelectionCard::selectWorst()
 //------------------------------------------------------------------------------
 void pqSelectionCard::goBackTo(int step)
 {
-  camaron::ShowText(this->Message, this->selection()->undoTo(step).toHtmlEscaped());
+  if (step != Present)
+  {
+    camaron::ShowText(this->Message, this->selection()->undoTo(step).toHtmlEscaped());
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -59,7 +59,12 @@ public:
   /// The steps of the chain that ends at the mesh, first to last.
   QStringList steps() const;
 
-  /// Removes steps from the end until `count` are left; returns an error if a filter uses one.
+  /// What the first of them begins with: a brush, or what was selected in the view; empty if it
+  /// begins anew.
+  QString first() const;
+
+  /// Removes steps from the end until `count` are left, and selects what the last of these selects;
+  /// returns an error if a filter uses one of the others.
   QString undoTo(int count);
 
   void clear();
@@ -97,6 +102,9 @@ private:
 
   /// The filters of the chain of Select Elements that ends at the mesh, first to last.
   QList<pqPipelineSource*> stepFilters() const;
+
+  /// Whether SelectionBefore is what was selected before the first step.
+  bool isBefore(pqPipelineSource* step) const;
 
   /// Description of a step of selection, such as "Worst 1 % by Volume".
   QString describeStep(vtkSMProxy* step) const;

@@ -16,6 +16,7 @@
 #include "pqPipelineSource.h"
 #include "pqUndoStack.h"
 
+#include "vtkSMPropertyHelper.h"
 #include "vtkSMSourceProxy.h"
 
 #include <algorithm>
@@ -37,6 +38,14 @@ QString GetCombinationName(camaron::Combination combination)
     default:
       return "Replace";
   }
+}
+
+//------------------------------------------------------------------------------
+// Whether what is selected before a step matters to it.
+bool DependsOnSelection(const QString& strategy, const QString& combination)
+{
+  const QStringList dependent = { "Expand", "Shrink", "Connected", "Invert", "Inside" };
+  return combination != "Replace" || dependent.contains(strategy);
 }
 
 //------------------------------------------------------------------------------
@@ -144,8 +153,7 @@ void pqMeshSelection::selectBy(const QString& strategy, const QMap<QString, QVar
       return;
     }
     // A step that ignores those before it replaces one of its kind.
-    const QStringList dependent = { "Expand", "Shrink", "Connected", "Invert", "Inside" };
-    if (combination == camaron::Combination::Replace && !dependent.contains(strategy) &&
+    if (!DependsOnSelection(strategy, all["Combination"].toString()) &&
       camaron::GetProperty(proxy, "Combination") == "Replace" &&
       camaron::GetProperty(proxy, "Strategy") == strategy)
     {
@@ -320,6 +328,28 @@ QStringList pqMeshSelection::steps() const
 }
 
 //------------------------------------------------------------------------------
+QString pqMeshSelection::first() const
+{
+  const QList<pqPipelineSource*> steps = this->stepFilters();
+  vtkSMProxy* step = steps.isEmpty() ? nullptr : steps.front()->getProxy();
+  if (!step || vtkSMPropertyHelper(step, "Selection").GetNumberOfElements() == 0 ||
+    !DependsOnSelection(camaron::GetProperty(step, "Strategy").toString(),
+      camaron::GetProperty(step, "Combination").toString()))
+  {
+    return QString();
+  }
+  return this->isBefore(steps.front()) && !this->SelectionBefore.Text.isEmpty()
+    ? this->SelectionBefore.Text
+    : tr("Selected before");
+}
+
+//------------------------------------------------------------------------------
+bool pqMeshSelection::isBefore(pqPipelineSource* step) const
+{
+  return this->SelectionBefore.Port && this->SelectionBefore.Port == camaron::GetInput(step);
+}
+
+//------------------------------------------------------------------------------
 QString pqMeshSelection::undoTo(int count)
 {
   const pqScopedUndoSet undo(tr("Remove Selection Steps"));
@@ -341,6 +371,13 @@ QString pqMeshSelection::undoTo(int count)
     error = tr("%1 has to be deleted first, which uses this step.")
               .arg(other == consumers.end() ? last->getSMName() : (*other)->getSMName());
   }
+  if (left == 0 && !steps.isEmpty() && !this->isBefore(steps.front()))
+  { // of a state, or of another mesh since then
+    this->SelectionBefore = { {}, camaron::GetInput(steps.front()),
+      vtkSMSourceProxy::SafeDownCast(
+        vtkSMPropertyHelper(steps.front()->getProxy(), "Selection").GetAsProxy()),
+      {}, {} };
+  }
   if (left < steps.size())
   {
     this->Filters->inspect(
@@ -350,6 +387,14 @@ QString pqMeshSelection::undoTo(int count)
       pqApplicationCore::instance()->getObjectBuilder()->destroy(steps[step - 1]);
     }
     this->IsStepRemoved = true;
+  }
+  else if (left > 0)
+  { // perhaps after a selection in the view
+    vtkSMSourceProxy* selected = this->Mesh->port()->getSelectionInput();
+    if (!selected || !camaron::IsResult(selected))
+    {
+      camaron::ActivateResult(steps.back());
+    }
   }
   this->Mesh->findLater();
   this->SelectionTimer.start();
