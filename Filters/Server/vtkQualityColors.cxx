@@ -138,6 +138,18 @@ vtkDoubleArray* vtkQualityColors::GetPoints()
 }
 
 //------------------------------------------------------------------------------
+bool vtkQualityColors::IsBeyond(const double color[3])
+{
+  constexpr double rounding = 1e-6; // of states
+  const auto is = [color](const ColorOfPoint& other)
+  {
+    return std::equal(other.begin(), other.end(), color,
+      [](double one, double two) { return std::abs(one - two) < rounding; });
+  };
+  return is(Beyond) || is(Bad) || is(Worst);
+}
+
+//------------------------------------------------------------------------------
 vtkDoubleArray* vtkQualityColors::GetUndefinedColor()
 {
   SetColor(this->UndefinedColor, this->HasNotJudged && !this->HasUndefined ? NotJudged : NoValue);

@@ -57,6 +57,9 @@ public:
   /// Value, red, green and blue of the control points, to be interpolated in the color space RGB.
   vtkDoubleArray* GetPoints();
 
+  /// Whether a control point of this color is beyond a limit.
+  static bool IsBeyond(const double color[3]);
+
   /// Color of undefined values, which is none of the others: red, green and blue. That of cells
   /// that are not judged if only these exist.
   vtkDoubleArray* GetUndefinedColor();

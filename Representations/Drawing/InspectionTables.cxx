@@ -135,9 +135,14 @@ InspectionStyle InspectionTables::GetStyleOfPicture(vtkMapper* mapper, bool ofPo
   if (!style.Brushes.empty())
   { // the values are those of BrushedCells, for colors, too
     style.ValuesToEmphasize = Emphasis::InsideRange;
+    style.Dimming = 0; // the others keep the colors of the legend
     style.AcceptableRange = { { 1, 1 } };
     style.ColorBy = style.ColorsByDistance() ? style.ColorBy : Coloring::TransferFunction;
   }
+  const bool areOfColors = this->HasCellValues && !this->Values.IsEmpty() &&
+    (style.ValuesToEmphasize == Emphasis::Nothing ||
+      style.ValuesToEmphasize == Emphasis::Unacceptable);
+  style.ColorLimits = areOfColors && !ofPoints ? this->ColorLimits : Unlimited;
   if (this->Values.IsEmpty())
   {
     style.ValuesToEmphasize = Emphasis::Nothing;

@@ -58,6 +58,7 @@ public:
   JudgedValues ColoredValues; ///< the same for the color map
   BrushedCells Brushed;
   bool HasCellValues = false;
+  Range ColorLimits = Unlimited;                     ///< see InspectionStyle
   InspectionValues Levels;                           ///< values for isolines
   TextureBuffer Looks{ TextureBuffer::Row::Float4 }; ///< colors and opacities of blocks
   vtkSmartPointer<vtkFloatArray> UploadedLooks;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LinearColors.h"
 
+#include "vtkQualityColors.h"
+
 #include "vtkColorTransferFunction.h"
 
 #include <algorithm>
@@ -18,6 +20,25 @@ std::array<double, 6> GetPoint(vtkColorTransferFunction* map, int point)
   map->GetNodeValue(point, values.data());
   return values;
 }
+}
+
+//------------------------------------------------------------------------------
+Range FindAcceptableRange(vtkColorTransferFunction* map)
+{
+  Range inside = { { Unlimited[1], Unlimited[0] } };
+  bool isBeyondLow = false, isBeyondHigh = false;
+  for (int i = 0; map && i < map->GetSize(); ++i)
+  {
+    const auto point = GetPoint(map, i);
+    const bool isBeyond = vtkQualityColors::IsBeyond(point.data() + 1);
+    isBeyondLow = isBeyondLow || (isBeyond && inside[0] > inside[1]);
+    isBeyondHigh = isBeyond;
+    if (!isBeyond)
+    {
+      inside = { { std::min(inside[0], point[0]), point[0] } };
+    }
+  }
+  return { { isBeyondLow ? inside[0] : Unlimited[0], isBeyondHigh ? inside[1] : Unlimited[1] } };
 }
 
 //------------------------------------------------------------------------------

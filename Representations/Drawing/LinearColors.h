@@ -9,6 +9,8 @@
 #ifndef camaron_LinearColors_h
 #define camaron_LinearColors_h
 
+#include "InspectionStyle.h"
+
 #include <array>  // for colors
 #include <vector> // for the points
 
@@ -16,6 +18,10 @@ class vtkColorTransferFunction;
 
 namespace camaron
 {
+/// The values that a color map of vtkQualityColors shows as acceptable; unlimited if it shows none
+/// as bad, as other color maps.
+Range FindAcceptableRange(vtkColorTransferFunction* map);
+
 class LinearColors
 {
 public:

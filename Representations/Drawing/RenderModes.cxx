@@ -59,16 +59,23 @@ void SetRamp(vtkShaderProgram* program, const RenderContext& context)
 }
 
 //------------------------------------------------------------------------------
-void SetWireframe(vtkShaderProgram* program, const RenderContext& context)
+void SetViewport(vtkShaderProgram* program, const RenderContext& context)
 {
   const int* viewport = context.Viewport;
   const float origin[2] = { static_cast<float>(viewport[0]), static_cast<float>(viewport[1]) };
   const float size[2] = { static_cast<float>(viewport[2]), static_cast<float>(viewport[3]) };
   program->SetUniform2f("viewportOrigin", origin);
   program->SetUniform2f("viewportSize", size);
+}
+
+//------------------------------------------------------------------------------
+void SetWireframe(vtkShaderProgram* program, const RenderContext& context)
+{
+  SetViewport(program, context);
   program->SetUniformf("edgeWidth", static_cast<float>(context.Property->GetLineWidth()));
   program->SetUniform3f("edgesColor", context.Property->GetEdgeColor());
   program->SetUniformf("edgesOpacity", static_cast<float>(context.Property->GetEdgeOpacity()));
+  program->SetUniformf("partsOfEdge", static_cast<float>(1 << context.Style.SubdivisionLevel));
   program->SetUniformi("hasFaces", context.Style.Faces ? 1 : 0);
   program->SetUniformi("edgesOfSelectedOnly", context.Style.EdgesOfSelectedOnly ? 1 : 0);
 }
@@ -76,9 +83,7 @@ void SetWireframe(vtkShaderProgram* program, const RenderContext& context)
 //------------------------------------------------------------------------------
 void SetNormalLines(vtkShaderProgram* program, const RenderContext& context)
 {
-  const float size[2] = { static_cast<float>(context.Viewport[2]),
-    static_cast<float>(context.Viewport[3]) };
-  program->SetUniform2f("viewportSize", size);
+  SetViewport(program, context);
   program->SetUniformf("normalLength", static_cast<float>(context.Style.NormalLength));
   program->SetUniformf("normalWidth", static_cast<float>(context.Property->GetLineWidth()));
 }
@@ -162,6 +167,13 @@ const std::vector<RenderMode>& GetRenderModes()
     { [](const Style& style) { return style.Edges && !style.Glass && !style.DrawsEdgesAlone(); },
       "HAS_LINES", WireframeGLSL, "wireframe(ambientColor, diffuseColor, opacity);", false,
       &SetWireframe },
+    { [](const Style& style) { return style.ColorLimits != Unlimited; }, "HAS_LIMITS", "", "",
+      false,
+      [](vtkShaderProgram* program, const Context& context)
+      {
+        SetViewport(program, context);
+        SetRange(program, "colorLimits", context.Style.ColorLimits, context.ValueOrigin);
+      } },
     { [](const Style& style) { return style.DrawsEdgesAlone(); }, "ARE_EDGES", EdgesAloneGLSL,
       "edgesAlone(ambientColor, diffuseColor);", false, &SetWireframe },
     { [](const Style& style) { return style.Smooth; }, "HAS_NORMALS", SmoothGLSL,

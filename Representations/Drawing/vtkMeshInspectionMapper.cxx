@@ -392,13 +392,17 @@ void vtkMeshInspectionMapper::UpdateValues()
   const InspectionStyle& style = self.Style;
   int cellFlag = 0;
   vtkDataArray* array = nullptr;
+  self.ColorLimits = style.HasFacesOfColors()
+    ? FindAcceptableRange(vtkColorTransferFunction::SafeDownCast(this->LookupTable))
+    : Unlimited;
   if (!style.Brushes.empty())
   {
     array = self.Brushed.Update(style.Brushes, self.Grid);
     cellFlag = 1;
   }
   else if (this->ScalarVisibility &&
-    (style.ColorBy == Coloring::TwoColors || style.ValuesToEmphasize != Emphasis::Nothing))
+    (style.ColorBy == Coloring::TwoColors || style.ValuesToEmphasize != Emphasis::Nothing ||
+      self.ColorLimits != Unlimited))
   {
     array = vtkArrayDownCast<vtkDataArray>(vtkAbstractMapper::GetAbstractScalars(self.Grid,
       this->ScalarMode, this->ArrayAccessMode, this->ArrayId, this->ArrayName, cellFlag));
@@ -411,7 +415,8 @@ void vtkMeshInspectionMapper::UpdateValues()
     array = nullptr; // one value for the whole mesh
   }
   if (self.HasCellValues && style.Brushes.empty() &&
-    style.ValuesToEmphasize == Emphasis::Unacceptable)
+    (style.ValuesToEmphasize == Emphasis::Unacceptable ||
+      (self.ColorLimits != Unlimited && style.IsOn("MarkCellsNotJudged"))))
   {
     array = self.Judged.Update(array, self.Grid);
   }

@@ -34,16 +34,20 @@ uniform mat3 normalMatrix;
 uniform float smoothCosine; // limit of the angle between the normals of point and face
 out vec3 normalOfCorners;
 #endif
-#ifdef HAS_LINES
 uniform vec2 viewportSize;
+#ifdef HAS_LINES
 flat out vec3 lines[3]; // |dot(line, (x, y, 1))| is the distance in pixels
-flat out float pixelsOfFace;
+flat out vec3 spaces; // about the pixels from a line to the next
+uniform float partsOfEdge; // of curved faces that are subdivided
+#endif
+#ifdef HAS_LIMITS
+uniform samplerBuffer valueTable;
+uniform vec2 colorLimits; // of the values of acceptable cells
 #endif
 #ifdef ARE_EDGES
-uniform vec2 viewportSize;
 uniform float edgeWidth;
 #endif
-#ifdef ARE_NODES
+#if defined(ARE_NODES) || defined(HAS_LINES)
 uniform int numberOfNodes; // points of the mesh, before those that subdivide curved faces
 #endif
 #ifdef IS_PICKING
@@ -91,15 +95,55 @@ vec3 lineThrough(vec4 a, vec4 b)
   return line / length(line.xy);
 }
 
-// The longest side of a triangle in pixels; one that reaches behind the eye is large.
-float findLongest(vec4 a, vec4 b, vec4 c)
+#endif
+
+#if defined(HAS_LINES) || defined(HAS_LIMITS)
+// A triangle on the screen, in pixels.
+struct Outline
 {
-  if (min(min(a.w, b.w), c.w) <= 0.0)
-  {
-    return 1.0e9;
-  }
-  vec2 p = a.xy / a.w, q = b.xy / b.w, r = c.xy / c.w, size = 0.5 * viewportSize;
-  return max(max(length((q - p) * size), length((r - q) * size)), length((p - r) * size));
+  vec2 sides[3]; // from the first corner to the second, and so on
+  vec3 lengths;
+  float longest;
+  float area;  // negative if the corners are clockwise
+  bool isSeen; // false if it reaches behind the eye
+};
+
+Outline findOutline(vec4 a, vec4 b, vec4 c)
+{
+  vec2 size = 0.5 * viewportSize;
+  vec2 p = a.xy / a.w * size, q = b.xy / b.w * size, r = c.xy / c.w * size;
+  Outline outline;
+  outline.sides = vec2[3](q - p, r - q, p - r);
+  outline.lengths = max(vec3(length(q - p), length(r - q), length(p - r)), 1.0e-9);
+  outline.longest = max(max(outline.lengths.x, outline.lengths.y), outline.lengths.z);
+  outline.area = 0.5 * ((q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x));
+  outline.isSeen = min(min(a.w, b.w), c.w) > 0.0;
+  return outline;
+}
+#endif
+
+#ifdef HAS_LIMITS
+// Faces of cells beyond a limit are at least so many pixels wide, and a little in front of their
+// neighbors: they are found at a glance in any mesh.
+const float leastWidth = 4.0;
+const float leastNearer = 2.0e-4;
+
+// How far the sides of a triangle move outwards for that, in pixels.
+float findGrowth(Outline outline, uint cell)
+{
+  float value = texelFetch(valueTable, int(cell)).x;
+  bool isBeyond = value < colorLimits.x || value > colorLimits.y;
+  float width = 2.0 * abs(outline.area) / outline.longest;
+  return isBeyond && outline.isSeen ? max(0.5 * (leastWidth - width), 0.0) : 0.0;
+}
+
+// Moves a corner of a triangle outwards of its two sides.
+vec2 moveCorner(Outline outline, int corner, float growth)
+{
+  int before = (corner + 2) % 3;
+  vec2 along = outline.sides[before] / outline.lengths[before] +
+    outline.sides[corner] / outline.lengths[corner];
+  return (outline.area < 0.0 ? -growth : growth) * vec2(along.y, -along.x);
 }
 #endif
 
@@ -208,16 +252,31 @@ void main()
   // Interior faces are not part of the smooth surface.
   normalOfCorners = isCutFace == 1 ? vec3(0.0) : normalMatrix * normal;
 #endif
-#ifdef HAS_LINES
+#if defined(HAS_LINES) || defined(HAS_LIMITS)
   vec4 a = MCDCMatrix * place(triangle[0], cell);
   vec4 b = MCDCMatrix * place(triangle[1], cell);
   vec4 c = MCDCMatrix * place(triangle[2], cell);
+  Outline outline = findOutline(a, b, c);
+#endif
+#ifdef HAS_LIMITS
+  float growth = findGrowth(outline, cell);
+#endif
+#ifdef HAS_LINES
   // Diagonals of polygons are not edges: place them far away.
   const vec3 nowhere = vec3(0.0, 0.0, 1.0e9);
   lines[0] = (triangle.w & 1u) != 0u ? lineThrough(a, b) : nowhere;
   lines[1] = (triangle.w & 2u) != 0u ? lineThrough(b, c) : nowhere;
   lines[2] = (triangle.w & 4u) != 0u ? lineThrough(c, a) : nowhere;
-  pixelsOfFace = findLongest(a, b, c);
+  // Polygons consist of triangles, those at their corners are narrower than they are.
+  const float narrower = 3.0;
+  spaces = outline.isSeen
+    ? min(vec3(outline.longest), narrower * 2.0 * abs(outline.area) / outline.lengths)
+    : vec3(1.0e9);
+  uint last = max(max(triangle.x, triangle.y), triangle.z);
+  spaces *= int(last) >= numberOfNodes ? partsOfEdge : 1.0;
+#ifdef HAS_LIMITS
+  spaces = growth > 0.0 ? vec3(0.0) : spaces;
+#endif
 #endif
 #ifdef IS_PICKING
   pickedPoint = between < 0.5 ? firstPoint : secondPoint;
@@ -246,6 +305,14 @@ void main()
   if (!isEdgeSeen)
   {
     gl_Position = vec4(0.0, 0.0, 2.0, 1.0);
+  }
+#endif
+#if defined(HAS_LIMITS) && !defined(ARE_NODES)
+  if (growth > 0.0)
+  {
+    vec2 move = moveCorner(outline, side == 1 ? 2 - corner : corner, growth);
+    gl_Position.xy += 2.0 * move / viewportSize * gl_Position.w;
+    gl_Position.z -= leastNearer * gl_Position.w;
   }
 #endif
 #ifdef ARE_POINTS

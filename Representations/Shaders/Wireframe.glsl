@@ -3,7 +3,7 @@
 float pixelsToWall;
 #else
 flat in vec3 lines[3];
-flat in float pixelsOfFace;
+flat in vec3 spaces;
 uniform vec2 viewportOrigin;
 #endif
 uniform float edgeWidth;
@@ -15,16 +15,16 @@ uniform int edgesOfSelectedOnly; // 1: only edges of selected cells
 void wireframe(inout vec3 ambient, inout vec3 diffuse, inout float opacity)
 {
 #ifdef IS_CAP
-  float nearest = pixelsToWall;
+  float amount = clamp(0.5 * edgeWidth + 0.5 - pixelsToWall, 0.0, 1.0);
 #else
   vec3 pixel = vec3(gl_FragCoord.xy - viewportOrigin, 1.0);
-  float nearest = min(abs(dot(lines[0], pixel)), min(abs(dot(lines[1], pixel)), abs(dot(lines[2], pixel))));
-#endif
-  float amount = clamp(0.5 * edgeWidth + 0.5 - nearest, 0.0, 1.0);
-#ifndef IS_CAP
-  // Edges of tiny faces would hide the colors: those of triangles, of which polygons consist, fade
-  // below 10 pixels, and are gone below 2.
-  amount *= hasFaces == 1 ? clamp((pixelsOfFace - 2.0) / 8.0, 0.0, 1.0) : 1.0;
+  vec3 distances = abs(vec3(dot(lines[0], pixel), dot(lines[1], pixel), dot(lines[2], pixel)));
+  vec3 amounts = clamp(0.5 * edgeWidth + 0.5 - distances, 0.0, 1.0);
+  // Where edges are close, they would hide the colors: a line of a pixel fades where it would cover
+  // more than an eighth of the faces, and is gone where it would cover half of them.
+  const float wide = 16.0, narrow = 4.0;
+  amounts *= hasFaces == 1 ? clamp((spaces - narrow) / (wide - narrow), 0.0, 1.0) : vec3(1.0);
+  float amount = max(max(amounts.x, amounts.y), amounts.z);
 #endif
   if (edgesOfSelectedOnly == 1 && (cellMarks & 4u) == 0u)
   {

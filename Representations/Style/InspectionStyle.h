@@ -9,6 +9,7 @@
 
 #include <algorithm> // for std::all_of
 #include <array>     // for colors and planes
+#include <limits>    // for ranges without limits
 #include <set>       // for names of modes
 #include <string>    // for array names
 #include <vector>    // for planes
@@ -112,6 +113,8 @@ struct ConvexShape
 
 using Color = std::array<double, 3>;
 using Range = std::array<double, 2>;
+constexpr Range Unlimited = { { -std::numeric_limits<double>::infinity(),
+  std::numeric_limits<double>::infinity() } };
 
 /// What a mapper draws for the visible faces.
 enum class Figure
@@ -183,6 +186,9 @@ struct InspectionStyle
   Range AcceptableRange = { { 0, 1 } };
   /// One after another; what they select is emphasized instead of values, if there are any.
   std::vector<Brush> Brushes;
+  /// Values of cells that the color map shows as acceptable; the others are drawn so large that one
+  /// sees them. Unlimited: none are.
+  Range ColorLimits = Unlimited;
   double Dimming = 0.85; ///< of values that are not emphasized; 0: none, 1: all the same gray
   std::array<double, 4> Accent = { { 1, 0, 1, 0 } }; ///< color of the others, and its share
 
@@ -223,6 +229,12 @@ struct InspectionStyle
   bool DrawsEdgesAlone() const
   {
     return this->What == Figure::Faces && this->Edges && !this->Faces && !this->Glass;
+  }
+  /// Whether faces of cells are drawn in the colors of the transfer function.
+  bool HasFacesOfColors() const
+  {
+    return this->What == Figure::Faces && this->Faces && !this->Glass &&
+      this->ColorBy == Coloring::TransferFunction;
   }
   /// Whether colors depend on positions.
   bool ColorsByDistance() const

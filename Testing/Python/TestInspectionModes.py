@@ -8,6 +8,7 @@ import numpy
 from inspection_testing import PictureTestCase, difference, picture, selected, turn
 from mesh_parts import producer
 from paraview import simple
+from TestQualityColors import make
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
@@ -25,6 +26,22 @@ def tetrahedra():
 def red(image):
     """Where a picture is red."""
     return (image[:, :, 0] > 128) & (image[:, :, 1] < 64)
+
+
+def colors_of(acceptable):
+    """The color map of a criterion for values from 0 to 60."""
+    values, colors, _ = make(0, 60, acceptable)
+    return list(numpy.column_stack([values, colors]).ravel())
+
+
+def picked(view, source, x, y):
+    """What a click selects."""
+    simple.ClearSelection(source)
+    simple.SelectSurfaceCells(Rectangle=[x, y, x, y], View=view)
+    selection = source.SMProxy.GetSelectionInput(source.Port)
+    ids = selection.GetProperty("Input").GetProxy(0).GetProperty("IDs")
+    simple.ClearSelection(source)
+    return {(-1, ids.GetElement(0), ids.GetElement(1))}
 
 
 def unlike(one, other):
@@ -56,14 +73,83 @@ class TestInspectionModes(PictureTestCase):
         for name, value in properties.items():
             setattr(display, name, value)
 
-    def test_tiny_faces(self):
-        """Edges are red lines where faces are large, and leave the color of the faces where they have under 2 pixels."""
-        for cells, most in ((5, 1), (800, 0)):
-            plane = simple.Plane(XResolution=cells, YResolution=cells)
-            self.show(plane, DrawEdges=1, EdgeColor=RED)
-            drawn = red(self.take()).mean()
-            self.assertLessEqual(drawn, most)
-            self.assertEqual(drawn > 0.005, most == 1, cells)
+    def test_dense_edges(self):
+        """Edges do not vanish where cells are large, and fade where they would hide the colors: also those of long cells,
+        and those of triangles and quadrilaterals alike."""
+        inside = (slice(110, 190), slice(160, 240))
+
+        def hidden(columns, rows, as_triangles):
+            """The part of a color that black edges hide."""
+            plane = simple.Plane(XResolution=columns, YResolution=rows)
+            mesh = simple.Triangulate(Input=plane) if as_triangles else plane
+            self.show(mesh, DrawEdges=1, EdgeColor=BLACK, EdgeOpacity=1, Ambient=1, Diffuse=0)
+            simple.ResetCamera(self.view)
+            return 1 - picture(self.view)[inside].mean() / 255
+
+        self.show(simple.Plane())
+        self.view.CameraPosition, self.view.CameraFocalPoint = [0, 0, 1], [0, 0, 0]
+        self.view.CameraViewUp = [0, 1, 0]
+        for as_triangles in (False, True):
+            amounts = {
+                cells: hidden(*cells, as_triangles)
+                for cells in ((8, 8), (20, 20), (30, 30), (70, 70), (300, 300), (6, 90))
+            }
+            with self.subTest(as_triangles=as_triangles, amounts=amounts):
+                self.assertGreater(amounts[8, 8], 0.03)
+                self.assertGreater(amounts[20, 20], 0.08)
+                self.assertLess(max(amounts.values()), 0.3)
+                self.assertLess(amounts[6, 90], 0.2)
+                self.assertLess(amounts[300, 300], 0.001)
+
+    def test_small_bad_cells(self):
+        """A cell beyond the limit of a criterion is drawn some pixels wide, however small it is, and can be picked there;
+        cells that are undefined or not judged, and those in other colors, are as large as they are.
+        """
+        side = 250
+        plane = self.fetch(simple.Plane(XResolution=side, YResolution=side))
+        here = side * side // 2 + side // 2
+        self.view.InteractionMode = "2D"
+
+        def show(bad, acceptable=(20, None), points=None):
+            values = numpy.full(side * side, 60.0)
+            values[here] = bad
+            array = numpy_to_vtk(values, deep=True)
+            array.SetName("MinInteriorAngle")
+            data = plane.NewInstance()
+            data.ShallowCopy(plane)
+            data.GetCellData().AddArray(array)
+            mesh = producer(data)
+            display = self.show(mesh, color=("CELLS", array.GetName()), Ambient=1, Diffuse=0)
+            table = display.LookupTable
+            table.AutomaticRescaleRangeMode, table.ColorSpace = "Never", "RGB"
+            table.RGBPoints = points or colors_of(acceptable)
+            table.NanColor = RED
+            simple.ResetCamera(self.view)
+            simple.Render(self.view)
+            return mesh, display
+
+        def count():
+            """Pixels that are red rather than blue."""
+            taken = picture(self.view)
+            return int((taken[:, :, 0] > taken[:, :, 2] + 60).sum())
+
+        mesh, display = show(5)
+        found = count()
+        self.assertGreaterEqual(found, 6)
+        self.assertLess(found, 64)
+        taken = picture(self.view)
+        y, x = numpy.argwhere(taken[:, :, 0] > taken[:, :, 2] + 60).mean(axis=0).astype(int)
+        self.assertIn((-1, 0, here), picked(self.view, mesh, x, y))
+        display.Emphasis = "Unacceptable"
+        self.assertEqual(count(), found)
+        show(20)
+        self.assertEqual(count(), 0, "the limit is acceptable")
+        show(5, (None, 50))
+        self.assertGreater(count(), 5000, "all others are bad")
+        show(5, points=[0, *RED, 19, *RED, 20, 0, 0, 1, 60, 0, 0, 1])
+        self.assertLess(count(), 4, "another color map")
+        show(float("nan"))
+        self.assertLess(count(), 4, "undefined")
 
     def elevation(self, mesh, low, high):
         """What Height and Depth do, as an array of the points on Surface."""

@@ -60,7 +60,7 @@ class TestInspectionProcessor(PictureTestCase):
             ):
                 with self.subTest(**properties):
                     # Edges of triangles of polygons are VTK's, as wide as VTK draws them.
-                    self.compare(mesh, 0.03 if "DrawEdges" in properties else 0.004, **properties)
+                    self.compare(mesh, 0.05 if "DrawEdges" in properties else 0.004, **properties)
 
     def test_edges_of_curved_cells(self):
         """They are those of the cells, not of the parts into which faces are divided."""
