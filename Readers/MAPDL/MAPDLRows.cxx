@@ -89,7 +89,8 @@ bool MAPDLRowFormat::ReadInteger(const Line& line, int i, const char* what, std:
 //------------------------------------------------------------------------------
 bool MAPDLNodeFormat::ReadId(const Line& line, std::int32_t& id, MAPDLFault& fault) const
 {
-  return this->Fields.ReadInteger(line, 0, "the number of a node from 1 to 2147483647", id, fault, 1);
+  return this->Fields.ReadInteger(
+    line, 0, "the number of a node from 1 to 2147483647", id, fault, 1);
 }
 
 //------------------------------------------------------------------------------

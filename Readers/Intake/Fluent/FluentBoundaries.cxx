@@ -223,7 +223,7 @@ bool MakeFluentBoundaries(const FluentFile& file, const FluentMesh& mesh, vtkPoi
   }
   for (const FluentFaces::Run& run : mesh.Faces.GetRuns())
   {
-    if (run.IsOfBoundary() &&
+    if (run.IsOfBoundary() && faces.count(run.Zone) > 0 &&
       !mesh.Faces.ForBatchesOf(run, true, Progress(),
         [&](const FluentFaces::Run& batch, const Progress&)
         {
