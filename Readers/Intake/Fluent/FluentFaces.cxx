@@ -186,13 +186,14 @@ std::int64_t FluentFaces::SetWords(const std::int32_t* words, std::int64_t size,
 bool FluentFaces::ForBatchesOfText(const Run& run, FunctionRef<bool(const Run&)> visit) const
 {
   FluentNumbers<std::int32_t> numbers(run.Section->Begin, run.Section->End);
+  const std::ptrdiff_t most = numbers.GetBatch();
   Run batch = run;
   for (batch.End = run.Begin; batch.End < run.End;)
   {
     batch.Begin = batch.End;
     batch.FirstId = run.FirstId + batch.Begin - run.Begin;
     std::int64_t used = 0;
-    for (std::ptrdiff_t bytes = numbers.Batch;; bytes *= 2) // until there is a complete face
+    for (std::ptrdiff_t bytes = most;; bytes *= 2) // until there is a complete face
     {
       numbers.Read(bytes);
       batch.End = run.End;
@@ -256,12 +257,12 @@ void FluentFaces::FailInFace(const FluentNumbers<std::int32_t>& numbers, const R
 bool FluentFaces::ForBatchesOf(
   const Run& run, bool inOrder, const Progress& progress, VisitBatch visit) const
 {
+  double done = 0;
   const auto visitPart = [&](const Run& batch)
   {
-    const auto count = static_cast<double>(std::max<vtkIdType>(run.End - run.Begin, 1));
-    return visit(batch,
-      progress.Part(static_cast<double>(batch.Begin - run.Begin) / count,
-        static_cast<double>(batch.End - run.Begin) / count));
+    const double before = done;
+    done += static_cast<double>(batch.End - batch.Begin) / static_cast<double>(run.End - run.Begin);
+    return visit(batch, progress.Part(before, done));
   };
   if (run.IsInFile())
   {

@@ -117,6 +117,7 @@ bool FluentNodes::VisitText(const FluentSection& section,
   const std::int64_t count = section.GetCount();
   const int dimension = this->GetDimension(section);
   FluentNumbers<double> numbers(section.Begin, section.End);
+  const std::ptrdiff_t batch = numbers.GetBatch();
   const auto failAt = [&](std::int64_t word, const std::string& expected, ErrorKind kind)
   {
     const char* const place = SkipSpaceFrom(numbers.Find(word), section.End);
@@ -125,7 +126,7 @@ bool FluentNodes::VisitText(const FluentSection& section,
   };
   for (std::int64_t first = 0; first < count;)
   {
-    numbers.Read(numbers.Batch);
+    numbers.Read(batch);
     const std::int64_t rows = std::min(count - first, numbers.GetCount() / dimension);
     if (rows == 0)
     {

@@ -10,8 +10,9 @@
 
 #include "Base/Buffer.h"
 
-#include <cstddef> // for sizes of texts
-#include <cstdint> // for ids
+#include <algorithm> // for sizes of batches
+#include <cstddef>   // for sizes of texts
+#include <cstdint>   // for ids
 
 namespace camaron
 {
@@ -19,7 +20,6 @@ template <typename Number>
 class FluentNumbers
 {
 public:
-  static constexpr std::ptrdiff_t Batch = std::ptrdiff_t(1) << 21; ///< bytes
   static constexpr std::ptrdiff_t All = PTRDIFF_MAX;
 
   /// Of a section, whose end must be readable.
@@ -30,6 +30,12 @@ public:
   {
   }
 
+  /// Bytes to read at once: enough for many threads, but only a small part of all.
+  std::ptrdiff_t GetBatch() const
+  {
+    constexpr std::ptrdiff_t Part = 32, Least = 1 << 16, Most = 1 << 21;
+    return std::max(Least, std::min(Most, (this->End - this->Begin) / Part));
+  }
   /// Reads the words of the next bytes, which replace those before.
   void Read(std::ptrdiff_t bytes);
   /// The numbers up to the first word that is none.
