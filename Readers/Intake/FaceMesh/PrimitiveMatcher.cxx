@@ -29,6 +29,28 @@ bool HasTwoBits(unsigned int v)
   const unsigned int rest = v & (v - 1);
   return rest != 0 && (rest & (rest - 1)) == 0;
 }
+
+//------------------------------------------------------------------------------
+// Sets a node if it is 0, which means unknown; false if it is another one.
+bool Agree(std::int32_t& known, std::int32_t node)
+{
+  known = known == 0 ? node : known;
+  return known == node;
+}
+
+//------------------------------------------------------------------------------
+bool AreDistinct(const std::int32_t* nodes, int count)
+{
+  bool good = true;
+  for (int i = 0; i < count; ++i)
+  {
+    for (int j = 0; j < i; ++j)
+    {
+      good &= nodes[i] != nodes[j];
+    }
+  }
+  return good;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -415,86 +437,103 @@ bool PrimitiveMatcher::Match(
 
 //------------------------------------------------------------------------------
 // Shortcut for the usual case of a frequent type: six consistently oriented quadrilaterals with
-// eight points. The first is the bottom; its edges lead to the sides, and these to the top.
+// eight points.
 bool PrimitiveMatcher::MatchHexahedron(const IdList* faces, const FaceDirection* directions)
 {
-  std::int32_t corners[6][4]; // with faces oriented outward
-  for (int f = 0; f < 6; ++f)
+  // VTK's faces by the bits of the state: at the edges of the bottom, the bottom itself, and the
+  // top.
+  constexpr int FaceOfBit[6] = { 2, 1, 3, 0, 4, 5 };
+  std::uint32_t state = 0;
+  bool good = true;
+  for (int f = 0; f < 6 && good; ++f)
   {
-    const bool turn = directions[f] == FaceDirection::Inward;
-    corners[f][0] = faces[f][0];
-    corners[f][1] = faces[f][turn ? 3 : 1];
-    corners[f][2] = faces[f][2];
-    corners[f][3] = faces[f][turn ? 1 : 3];
-  }
-  // VTK's faces at the edges 0-1, 1-2, 2-3 and 3-0 of the bottom, the bottom itself and the top.
-  constexpr int Sides[4] = { 2, 1, 3, 0 };
-  constexpr int Bottom = 4, Top = 5;
-  std::int32_t* const low = this->Nodes;
-  std::int32_t* const high = this->Nodes + 4;
-  low[0] = corners[0][0];
-  low[1] = corners[0][3];
-  low[2] = corners[0][2];
-  low[3] = corners[0][1];
-  this->FaceOf[Bottom] = 0;
-  int left = 0; // the remaining face, which no edge led to
-  for (int f = 1; f < 6; ++f)
-  {
-    left += f;
-  }
-  for (int edge = 0; edge < 4; ++edge)
-  {
-    const std::int32_t a = low[edge], b = low[(edge + 1) & 3];
-    int side = 1, at = 0;
-    for (; side < 6; ++side)
+    const bool turn = directions[f] == FaceDirection::Outward;
+    const std::int32_t corners[4] = { faces[f][0] + 1, faces[f][turn ? 3 : 1] + 1, faces[f][2] + 1,
+      faces[f][turn ? 1 : 3] + 1 };
+    const std::uint32_t before = state;
+    good = AddToHexahedron(this->Nodes, state, corners);
+    for (int bit = 0; bit < 6; ++bit)
     {
-      const std::int32_t* c = corners[side];
-      at = c[0] == a ? 0 : c[1] == a ? 1 : c[2] == a ? 2 : 3;
-      if (c[at] == a && c[(at + 1) & 3] == b)
+      if ((state & ~before) >> bit & 1)
       {
-        break;
+        this->FaceOf[FaceOfBit[bit]] = f;
       }
     }
-    if (side == 6)
-    {
-      return false;
-    }
-    this->FaceOf[Sides[edge]] = side;
-    left -= side;
-    const std::int32_t afterB = corners[side][(at + 2) & 3], beforeA = corners[side][(at + 3) & 3];
-    if (edge == 0)
-    {
-      high[0] = beforeA;
-      high[1] = afterB;
-    }
-    else if (high[edge] != beforeA || (edge == 3 && high[0] != afterB))
-    {
-      return false;
-    }
-    else if (edge < 3)
-    {
-      high[edge + 1] = afterB;
-    }
   }
-  if (left < 1 || left > 5)
+  for (std::int32_t& node : this->Nodes)
   {
-    return false;
+    --node;
   }
-  const std::int32_t* top = corners[left];
-  const int at = top[0] == high[0] ? 0 : top[1] == high[0] ? 1 : top[2] == high[0] ? 2 : 3;
-  bool good = true;
+  return good && state == Complete;
+}
+
+//------------------------------------------------------------------------------
+// The first face is the bottom, nodes 0 to 3; the bits of the state are the sides at its edges, the
+// bottom and the top.
+bool PrimitiveMatcher::AddToHexahedron(
+  std::int32_t* nodes, std::uint32_t& state, const std::int32_t* face)
+{
+  constexpr std::uint32_t Sides = 0x0f, Bottom = 0x10, Top = 0x20;
+  std::int32_t* const high = nodes + 4;
+  if (state == 0)
+  {
+    std::copy(face, face + 4, nodes);
+    std::fill(high, high + 4, 0);
+    state = Bottom;
+    return true;
+  }
+  int low[4]; // index of each node in the bottom, or -1
+  int first = -1;
   for (int i = 0; i < 4; ++i)
   {
-    good &= top[(at + i) & 3] == high[i];
+    const std::int32_t id = face[i];
+    low[i] = id == nodes[0] ? 0 : id == nodes[1] ? 1 : id == nodes[2] ? 2 : id == nodes[3] ? 3 : -1;
   }
-  for (int i = 0; i < 8; ++i)
+  for (int i = 0; i < 4; ++i)
   {
-    for (int j = 0; j < i; ++j)
-    {
-      good &= this->Nodes[i] != this->Nodes[j];
-    }
+    first =
+      low[i] >= 0 && low[i] == ((low[(i + 1) & 3] + 1) & 3) && low[(i + 1) & 3] >= 0 ? i : first;
   }
-  this->FaceOf[Top] = left;
+  bool good = true;
+  if (first >= 0)
+  {
+    // A side runs along its edge of the bottom in the opposite direction.
+    const int a = low[(first + 1) & 3], b = low[first];
+    const std::int32_t overA = face[(first + 2) & 3], overB = face[(first + 3) & 3];
+    const auto bit = static_cast<std::uint32_t>(1 << a);
+    good = low[(first + 2) & 3] < 0 && low[(first + 3) & 3] < 0 && !(state & bit);
+    if (!(state & Sides) && (state & Top))
+    {
+      std::int32_t* const start = std::find(high, high + 4, overA);
+      std::rotate(high, start == high + 4 ? high : start, high + 4);
+      std::rotate(high, high + (4 - a), high + 4);
+    }
+    good = good && Agree(high[a], overA) && Agree(high[b], overB);
+    state |= bit;
+  }
+  else
+  {
+    const std::int32_t top[4] = { face[0], face[3], face[2], face[1] };
+    int turn = 0;
+    for (int i = 0; i < 4; ++i)
+    {
+      for (int j = 0; j < 4; ++j)
+      {
+        turn = high[i] == top[j] ? (j - i) & 3 : turn;
+      }
+    }
+    good = !(state & Top);
+    for (int i = 0; i < 4; ++i)
+    {
+      good = good && low[i] < 0 && Agree(high[i], top[(i + turn) & 3]);
+    }
+    state |= Top;
+  }
+  if (state == (Sides | Bottom | Top))
+  {
+    good = good && AreDistinct(nodes, 8);
+    state = Complete;
+  }
   return good;
 }
 

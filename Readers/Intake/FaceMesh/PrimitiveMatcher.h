@@ -43,6 +43,14 @@ public:
   /// all if a hexahedron's agree. Ids may start at any number.
   bool Match(unsigned char type, const IdList* faces, const FaceDirection* directions);
 
+  /**
+   * Adds a face, whose normal points inward, to a hexahedron: its nodes, in VTK's order, and a
+   * state, which is 0 before the first face, the bottom, and Complete after the last. False if the
+   * faces do not form a hexahedron, or are oriented inconsistently. Ids must not be 0.
+   */
+  static bool AddToHexahedron(std::int32_t* nodes, std::uint32_t& state, const std::int32_t* face);
+  static constexpr std::uint32_t Complete = 0xff;
+
   /// Point ids in VTK's order, after a match.
   const std::int32_t* GetNodes() const { return this->Nodes; }
   /// Which of the given faces is VTK's face number @a face, after a match.

@@ -5,7 +5,7 @@
 #include "Base/Parallel.h"
 #include "Intake/FaceMesh/CellRing.h"
 #include "Intake/FaceMesh/GridArrays.h"
-#include "Intake/Fluent/FluentCellNodes.h"
+#include "Intake/Fluent/FluentTetrahedron.h"
 
 #include "vtkSMPTools.h"
 
@@ -42,6 +42,7 @@ public:
 
 private:
   using Id = vtkTypeInt32;
+  using State = std::uint32_t; ///< of a cell: PrimitiveMatcher::Complete with all faces
   struct Side;
   class Share;
   static constexpr int MaxShares = 8;
@@ -74,7 +75,7 @@ private:
   Buffer<unsigned char> Types;
   Buffer<Id> Offsets;
   Buffer<Id> Nodes; ///< ids of the file, or data from which they follow; finally points
-  FluentCellState* States = nullptr;
+  State* States = nullptr;
 };
 
 //------------------------------------------------------------------------------
@@ -174,7 +175,7 @@ private:
       const Side& side = this->Next[i];
       const unsigned char type = this->Cells.GetType(side.Cell);
       Id* const nodes = &this->Cells.Nodes[this->Cells.GetOffset(side.Cell)];
-      FluentCellState& state = this->Cells.States[side.Cell];
+      State& state = this->Cells.States[side.Cell];
       if (type == VTK_TETRA)
       {
         good = side.Size == 3 &&
@@ -182,9 +183,10 @@ private:
             nodes, state, FluentTetrahedron::Face::Of(side.Nodes[0], side.Nodes[1], side.Nodes[2]));
         continue;
       }
-      good = state != FluentCellComplete &&
-        (type == VTK_HEXAHEDRON ? side.Size == 4 && AddToHexahedron(nodes, state, side.Nodes)
-                                : this->AddToOther(type, nodes, state, side));
+      good = state != PrimitiveMatcher::Complete &&
+        (type == VTK_HEXAHEDRON
+            ? side.Size == 4 && PrimitiveMatcher::AddToHexahedron(nodes, state, side.Nodes)
+            : this->AddToOther(type, nodes, state, side));
     }
     this->NumberOfNext = 0;
     return good;
@@ -199,7 +201,7 @@ private:
 
   /// Faces of other cells are kept until the last one arrives. The state is their number, and node
   /// 0 the index of the last one.
-  bool AddToOther(unsigned char type, Id* nodes, FluentCellState& state, const Side& side)
+  bool AddToOther(unsigned char type, Id* nodes, State& state, const Side& side)
   {
     constexpr int MaxFaces = 5;
     const bool isFlat = type == VTK_TRIANGLE || type == VTK_QUAD;
@@ -233,7 +235,7 @@ private:
     }
     std::copy_n(isFlat ? this->Ring.GetPoints().data() : this->Matcher.GetNodes(),
       isFlat ? size : PrimitiveMatcher::GetNumberOfNodes(type), nodes);
-    state = FluentCellComplete;
+    state = PrimitiveMatcher::Complete;
     return true;
   }
   Id Keep(const Waiting& face)
@@ -390,7 +392,7 @@ bool FluentStandardCells::Finish(const Progress& progress)
                isGood &= this->GetType(cell) == VTK_TETRA
                  ? FluentTetrahedron::Finish(
                      &this->Nodes[this->GetOffset(cell)], this->States[cell])
-                 : this->States[cell] == FluentCellComplete;
+                 : this->States[cell] == PrimitiveMatcher::Complete;
              }
              Id* const begin = this->Nodes.data() + this->GetOffset(first);
              Id* const lastNode = this->Nodes.data() + this->GetOffset(end);
@@ -421,11 +423,11 @@ bool FluentStandardCells::Build(
   FluentInteriorZones& zones, vtkUnstructuredGrid* grid, const Progress& progress)
 {
   // Offsets of cells of one type are filled at the end; until then their memory is used for states.
-  Buffer<FluentCellState> states(this->CommonType != 0 ? 0 : this->Count);
-  this->States = this->CommonType != 0 ? reinterpret_cast<FluentCellState*>(this->Offsets.data())
-                                       : states.data();
+  Buffer<State> states(this->CommonType != 0 ? 0 : this->Count);
+  this->States =
+    this->CommonType != 0 ? reinterpret_cast<State*>(this->Offsets.data()) : states.data();
   ParallelFor(this->Count, LightGrain, [this](vtkIdType begin, vtkIdType end)
-    { std::fill(this->States + begin, this->States + end, FluentCellState(0)); });
+    { std::fill(this->States + begin, this->States + end, State(0)); });
   this->Offsets[this->Count] = static_cast<Id>(this->GetOffset(this->Count));
   this->Nodes = Buffer<Id>(this->Offsets[this->Count]);
   if (!this->AddFaces(zones, progress.Part(0, 0.9)) || !this->Finish(progress.Part(0.9, 1)))

@@ -1,16 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @file FluentCellNodes.h
- * @brief Nodes of cells of standard types, derived face by face.
- *
- * Each function adds a face to the state of a cell: its nodes, for which there is memory according
- * to the type, and a number, which is 0 before the first face. Node ids must not be 0. The
- * functions return false if the faces do not form such a cell, or if neighboring faces are oriented
- * inconsistently.
+ * @file FluentTetrahedron.h
+ * @brief The nodes of a tetrahedron, derived face by face.
  */
-#ifndef camaron_FluentCellNodes_h
-#define camaron_FluentCellNodes_h
+#ifndef camaron_FluentTetrahedron_h
+#define camaron_FluentTetrahedron_h
 
 #include "Base/Hash.h"
 
@@ -18,28 +13,22 @@
 
 namespace camaron
 {
-using FluentCellState = std::uint32_t;
-/// The state of a cell with all faces; its nodes are in VTK's order.
-constexpr FluentCellState FluentCellComplete = 0xff;
-
-/// Adds a face whose normal points inward. The first is the bottom.
-bool AddToHexahedron(std::int32_t* nodes, FluentCellState& state, const std::int32_t* face);
-
 /**
  * Finds the nodes of a tetrahedron from sums: each face lacks one of the nodes, so the sum of its
  * node ids identifies that node once the sum of all is known. There are no searches, and no
  * branches except at the end, which makes it fast: a mesh has two faces per tetrahedron, in any
  * order, which defeats branch prediction.
  *
- * Until the end the nodes are the sums of the faces, modulo 2^31, with the sign of the checksum. As
- * sums of wrong faces may look valid, the state is a checksum of the nodes of all faces, with the
- * number of faces in its low bits. A face of the opposite orientation has the negative checksum.
+ * Node ids must not be 0. Until the end the nodes are the sums of the faces, modulo 2^31, with the
+ * sign of the checksum. As sums of wrong faces may look valid, the state, 0 before the first face,
+ * is a checksum of the nodes of all faces, with the number of faces in its low bits. A face of the
+ * opposite orientation has the negative checksum.
  */
 namespace FluentTetrahedron
 {
 constexpr std::uint32_t SumMask = 0x7fffffff;
 constexpr int CountBits = 3;
-constexpr FluentCellState CountMask = (1 << CountBits) - 1;
+constexpr std::uint32_t CountMask = (1 << CountBits) - 1;
 /// Distinguish faces that lack different nodes; any odd numbers will do.
 constexpr std::uint32_t Factors[4] = { 0x9e3779b1, 0x85ebca77, 0xc2b2ae3d, 0x27d4eb2f };
 
@@ -69,9 +58,9 @@ struct Face
 };
 
 /// Adds a face; false if there are four already.
-inline bool Add(std::int32_t* nodes, FluentCellState& state, const Face& face)
+inline bool Add(std::int32_t* nodes, std::uint32_t& state, const Face& face)
 {
-  const FluentCellState count = state & CountMask;
+  const std::uint32_t count = state & CountMask;
   if (count > 3)
   {
     return false;
@@ -84,7 +73,7 @@ inline bool Add(std::int32_t* nodes, FluentCellState& state, const Face& face)
 /// Determines the nodes when all faces have been added; false if they do not form a tetrahedron or
 /// are oriented inconsistently; the nodes are then undefined. Among millions of cells, a checksum
 /// may match both orientations; then the first face decides.
-inline bool Finish(std::int32_t* nodes, FluentCellState state)
+inline bool Finish(std::int32_t* nodes, std::uint32_t state)
 {
   constexpr std::uint32_t Third = 0x2aaaaaab; // 3 * Third = 1 modulo 2^31
   const auto s0 = static_cast<std::uint32_t>(nodes[0]), s1 = static_cast<std::uint32_t>(nodes[1]),
