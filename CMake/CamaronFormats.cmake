@@ -9,6 +9,7 @@
 #     LABEL       "Foo Bar"                    # of its reader in ParaView, without "Reader", if it is not NAME
 #     REPRESENTATION "Mesh Inspection"         # that shows what is read first, if it is not ParaView's default
 #     READER_PROXY FooReader                   # the proxy of its reader, if it is not <NAME>Reader
+#     BASE        vtkFluentReader              # the base class of its reader, if it is not vtkMeshFileReader
 #     REQUIRES    VTK::foo                     # modules of ParaView that it uses; without them, the format is left out
 #     READER                                   # Readers/Visf/ has VisfReading.cxx and VisfReader.xml
 #     WRITER)                                  # Readers/Visf/ has vtkVisfWriter.{h,cxx} and VisfWriter.xml
@@ -25,7 +26,7 @@ set(CAMARON_READERS)
 set(CAMARON_WRITERS)
 set(CAMARON_FORMATS_JSON)
 function (camaron_format)
-  cmake_parse_arguments(PARSE_ARGV 0 format "READER;WRITER" "NAME;LABEL;DESCRIPTION;READS;WRITES;READER_PROXY;REPRESENTATION" "EXTENSIONS;REQUIRES")
+  cmake_parse_arguments(PARSE_ARGV 0 format "READER;WRITER" "NAME;LABEL;DESCRIPTION;READS;WRITES;READER_PROXY;REPRESENTATION;BASE" "EXTENSIONS;REQUIRES")
   if (format_UNPARSED_ARGUMENTS OR NOT format_NAME OR NOT format_EXTENSIONS OR NOT format_DESCRIPTION)
     message(FATAL_ERROR "camaron_format needs NAME, EXTENSIONS and DESCRIPTION; "
       "not understood: ${format_UNPARSED_ARGUMENTS}")
@@ -54,7 +55,10 @@ function (camaron_format)
   if (NOT format_LABEL)
     set(format_LABEL "${format_NAME}")
   endif ()
-  foreach (field IN ITEMS DESCRIPTION LABEL REPRESENTATION)
+  if (NOT format_BASE)
+    set(format_BASE vtkMeshFileReader)
+  endif ()
+  foreach (field IN ITEMS DESCRIPTION LABEL REPRESENTATION BASE)
     set("CAMARON_FORMAT_${format_NAME}_${field}" "${format_${field}}" PARENT_SCOPE)
   endforeach ()
 

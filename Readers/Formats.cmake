@@ -84,6 +84,7 @@ camaron_format(
   READS       "ASCII and binary, 2D and 3D, all cells, hanging nodes, zones"
   WRITES      "ASCII and binary of both precisions, 2D and 3D, all cells, zones"
   READER_PROXY ANSYSFluentMeshReader
+  BASE        vtkFluentReader
   READER
   WRITER)
 

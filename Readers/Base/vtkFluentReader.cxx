@@ -10,8 +10,9 @@
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 //------------------------------------------------------------------------------
-vtkFluentReader::vtkFluentReader(IsFormat is)
+vtkFluentReader::vtkFluentReader(IsFormat is, ReadFormat read)
   : vtkMeshFileReader(is)
+  , Read(read)
 {
   this->SetNumberOfOutputPorts(2);
 }
@@ -78,4 +79,12 @@ bool vtkFluentReader::ReadMesh(const std::string& path, const camaron::PieceRequ
     boundaries->Initialize();
   }
   return good;
+}
+
+//------------------------------------------------------------------------------
+bool vtkFluentReader::ReadZones(const std::string& path, const camaron::PieceRequest& request,
+  vtkUnstructuredGrid* grid, vtkMultiBlockDataSet* boundaries, camaron::Warnings& warnings,
+  camaron::ScanError& error, const camaron::Progress& progress)
+{
+  return this->Read(path, request, grid, boundaries, warnings, error, progress);
 }

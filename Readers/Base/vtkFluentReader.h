@@ -27,14 +27,19 @@ public:
   vtkAbstractTypeMacro(vtkFluentReader, vtkMeshFileReader);
 
 protected:
-  explicit vtkFluentReader(IsFormat is);
+  using ReadFormat = bool (*)(const std::string& path, const camaron::PieceRequest& request,
+    vtkUnstructuredGrid* grid, vtkMultiBlockDataSet* boundaries, camaron::Warnings& warnings,
+    camaron::ScanError& error, const camaron::Progress& progress);
+
+  /// @param read nullptr if the subclass has options, and implements ReadZones
+  explicit vtkFluentReader(IsFormat is, ReadFormat read = nullptr);
   ~vtkFluentReader() override = default;
 
   /// Reads a piece of a file, with the boundaries if these are given, which are empty; false with
   /// the error, or without one if aborted.
   virtual bool ReadZones(const std::string& path, const camaron::PieceRequest& request,
     vtkUnstructuredGrid* grid, vtkMultiBlockDataSet* boundaries, camaron::Warnings& warnings,
-    camaron::ScanError& error, const camaron::Progress& progress) = 0;
+    camaron::ScanError& error, const camaron::Progress& progress);
 
   int FillOutputPortInformation(int port, vtkInformation* info) override;
   int RequestInformation(vtkInformation* request, vtkInformationVector** inputVector,
@@ -49,6 +54,7 @@ private:
   vtkFluentReader(const vtkFluentReader&) = delete;
   void operator=(const vtkFluentReader&) = delete;
 
+  ReadFormat Read;
   vtkMultiBlockDataSet* Boundaries = nullptr; ///< during RequestData
 };
 
