@@ -13,115 +13,29 @@
 
 namespace camaron
 {
+namespace
+{
+using Visit = PieceOfSpace::Visit;
+
 //------------------------------------------------------------------------------
-int FluentNodes::GetDimension(const FluentSection& section) const
+int GetDimension(const FluentFile& file, const FluentSection& section)
 {
   const std::int64_t dimension = section.GetElement();
-  return dimension == 2 || dimension == 3 ? static_cast<int>(dimension) : this->File.GetDimension();
+  return dimension == 2 || dimension == 3 ? static_cast<int>(dimension) : file.GetDimension();
 }
 
 //------------------------------------------------------------------------------
-vtkIdType FluentNodes::Count() const
-{
-  std::int64_t count = 0;
-  for (const FluentSection* section : FluentFile::SortById(this->File.Nodes))
-  {
-    if (section->Header[1] != count + 1)
-    {
-      this->File.FailAt(section->Place, ErrorKind::Index,
-        "the nodes from " + std::to_string(count + 1) + " on", std::to_string(section->Header[1]));
-      return -1;
-    }
-    const std::int64_t values = section->GetCount() * this->GetDimension(*section);
-    const std::int64_t bytes = section->Begin ? section->End - section->Begin : 0;
-    if (section->IsText() && values > (bytes + 1) / 2)
-    {
-      this->File.FailAt(section->Place, ErrorKind::Truncated,
-        std::to_string(values) + " coordinates in the section that begins here",
-        std::to_string(bytes) + " characters");
-      return -1;
-    }
-    if (!section->HasBody())
-    {
-      this->File.FailAt(section->Place, ErrorKind::Truncated, "coordinates in parentheses", "none");
-      return -1;
-    }
-    count = section->Header[2];
-  }
-  const FluentTotal& declared = this->File.DeclaredNodes;
-  if (count != declared.Count && declared.Count >= 0)
-  {
-    this->File.FailAt(declared.Place,
-      count > declared.Count ? ErrorKind::Index : ErrorKind::Truncated,
-      std::to_string(declared.Count) + " nodes, as declared", std::to_string(count));
-    return -1;
-  }
-  return count;
-}
-
-//------------------------------------------------------------------------------
-// Passes the nodes of a section, batch by batch.
-bool FluentNodes::VisitSection(
-  const FluentSection& section, const Visit& visit, const Progress& progress) const
+bool VisitText(FluentFile& file, const FluentSection& section,
+  FunctionRef<bool(std::int64_t, std::int64_t, const double*)> pass)
 {
   const std::int64_t count = section.GetCount();
-  const int dimension = this->GetDimension(section);
-  std::int64_t done = 0;
-  const auto pass = [&](std::int64_t first, std::int64_t last, const double* values)
-  {
-    ParallelForEach(last - first, MediumGrain,
-      [&](vtkIdType row)
-      {
-        double x[3] = { 0, 0, 0 };
-        std::copy_n(values + dimension * row, dimension, x);
-        visit(section.Header[1] - 1 + first + row, x);
-      });
-    done += last - first;
-    return progress.Report(static_cast<double>(done) / static_cast<double>(count));
-  };
-  if (section.IsText())
-  {
-    return this->VisitText(section, pass);
-  }
-  PieceExchange none(nullptr);
-  const bool isShared = section.IsStored && this->File.Exchange;
-  PieceExchange& exchange = isShared ? *this->File.Exchange : none;
-  return exchange.ForBatches<double>(
-    -2 - count, count, FluentFile::GetStoredBatch(count), // places unlike those of faces
-    [&](std::int64_t begin, std::int64_t end, Buffer<double>& values) -> std::int64_t
-    {
-      const std::int64_t size = (end - begin) * dimension;
-      if (section.IsStored)
-      {
-        return this->File.LoadStored(section, begin, end - begin, values) ? size : -1;
-      }
-      values = values.size() < size ? Buffer<double>(size) : std::move(values);
-      ParallelForEach(size, LightGrain,
-        [&](vtkIdType i)
-        {
-          const char* const from = section.Begin + (begin * dimension + i) * section.RealSize;
-          values[i] = section.RealSize == sizeof(float)
-            ? Load<float>(from, this->File.IsSwapped())
-            : Load<double>(from, this->File.IsSwapped());
-        });
-      return size;
-    },
-    [&](std::int64_t first, std::int64_t last, const double* values, std::int64_t size)
-    { return pass(first, size == (last - first) * dimension ? last : first, values); });
-}
-
-//------------------------------------------------------------------------------
-bool FluentNodes::VisitText(const FluentSection& section,
-  FunctionRef<bool(std::int64_t, std::int64_t, const double*)> pass) const
-{
-  const std::int64_t count = section.GetCount();
-  const int dimension = this->GetDimension(section);
+  const int dimension = GetDimension(file, section);
   FluentNumbers<double> numbers(section.Begin, section.End);
   const std::ptrdiff_t batch = numbers.GetBatch();
   const auto failAt = [&](std::int64_t word, const std::string& expected, ErrorKind kind)
   {
     const char* const place = SkipSpaceFrom(numbers.Find(word), section.End);
-    this->File.FailAt(place, place == section.End ? ErrorKind::Truncated : kind, expected);
+    file.FailAt(place, place == section.End ? ErrorKind::Truncated : kind, expected);
     return false;
   };
   for (std::int64_t first = 0; first < count;)
@@ -146,14 +60,103 @@ bool FluentNodes::VisitText(const FluentSection& section,
 }
 
 //------------------------------------------------------------------------------
-bool FluentNodes::ForEach(const Visit& visit, const Progress& progress) const
+// Passes the nodes of a section, batch by batch.
+bool VisitSection(
+  FluentFile& file, const FluentSection& section, const Visit& visit, const Progress& progress)
 {
-  const auto size = static_cast<double>(this->File.Nodes.size());
-  for (std::size_t i = 0; i < this->File.Nodes.size(); ++i)
+  const std::int64_t count = section.GetCount();
+  const int dimension = GetDimension(file, section);
+  std::int64_t done = 0;
+  const auto pass = [&](std::int64_t first, std::int64_t last, const double* values)
+  {
+    ParallelForEach(last - first, MediumGrain,
+      [&](vtkIdType row)
+      {
+        double x[3] = { 0, 0, 0 };
+        std::copy_n(values + dimension * row, dimension, x);
+        visit(section.Header[1] - 1 + first + row, x);
+      });
+    done += last - first;
+    return progress.Report(static_cast<double>(done) / static_cast<double>(count));
+  };
+  if (section.IsText())
+  {
+    return VisitText(file, section, pass);
+  }
+  PieceExchange none(nullptr);
+  const bool isShared = section.IsStored && file.Exchange;
+  PieceExchange& exchange = isShared ? *file.Exchange : none;
+  return exchange.ForBatches<double>(
+    -2 - count, count, FluentFile::GetStoredBatch(count), // places unlike those of faces
+    [&](std::int64_t begin, std::int64_t end, Buffer<double>& values) -> std::int64_t
+    {
+      const std::int64_t size = (end - begin) * dimension;
+      if (section.IsStored)
+      {
+        return file.LoadStored(section, begin, end - begin, values) ? size : -1;
+      }
+      values = values.size() < size ? Buffer<double>(size) : std::move(values);
+      ParallelForEach(size, LightGrain,
+        [&](vtkIdType i)
+        {
+          const char* const from = section.Begin + (begin * dimension + i) * section.RealSize;
+          values[i] = section.RealSize == sizeof(float) ? Load<float>(from, file.IsSwapped())
+                                                        : Load<double>(from, file.IsSwapped());
+        });
+      return size;
+    },
+    [&](std::int64_t first, std::int64_t last, const double* values, std::int64_t size)
+    { return pass(first, size == (last - first) * dimension ? last : first, values); });
+}
+}
+
+//------------------------------------------------------------------------------
+vtkIdType CountFluentNodes(FluentFile& file)
+{
+  std::int64_t count = 0;
+  for (const FluentSection* section : FluentFile::SortById(file.Nodes))
+  {
+    if (section->Header[1] != count + 1)
+    {
+      file.FailAt(section->Place, ErrorKind::Index,
+        "the nodes from " + std::to_string(count + 1) + " on", std::to_string(section->Header[1]));
+      return -1;
+    }
+    const std::int64_t values = section->GetCount() * GetDimension(file, *section);
+    const std::int64_t bytes = section->Begin ? section->End - section->Begin : 0;
+    if (section->IsText() && values > (bytes + 1) / 2)
+    {
+      file.FailAt(section->Place, ErrorKind::Truncated,
+        std::to_string(values) + " coordinates in the section that begins here",
+        std::to_string(bytes) + " characters");
+      return -1;
+    }
+    if (!section->HasBody())
+    {
+      file.FailAt(section->Place, ErrorKind::Truncated, "coordinates in parentheses", "none");
+      return -1;
+    }
+    count = section->Header[2];
+  }
+  const FluentTotal& declared = file.DeclaredNodes;
+  if (count != declared.Count && declared.Count >= 0)
+  {
+    file.FailAt(declared.Place, count > declared.Count ? ErrorKind::Index : ErrorKind::Truncated,
+      std::to_string(declared.Count) + " nodes, as declared", std::to_string(count));
+    return -1;
+  }
+  return count;
+}
+
+//------------------------------------------------------------------------------
+bool ForEachFluentNode(FluentFile& file, const PieceOfSpace::Visit& visit, const Progress& progress)
+{
+  const auto size = static_cast<double>(file.Nodes.size());
+  for (std::size_t i = 0; i < file.Nodes.size(); ++i)
   {
     const auto from = static_cast<double>(i), to = static_cast<double>(i + 1);
-    const FluentSection& section = this->File.Nodes[i];
-    if (!this->VisitSection(section, visit, progress.Part(from / size, to / size)))
+    const FluentSection& section = file.Nodes[i];
+    if (!VisitSection(file, section, visit, progress.Part(from / size, to / size)))
     {
       return false;
     }
@@ -161,10 +164,12 @@ bool FluentNodes::ForEach(const Visit& visit, const Progress& progress) const
   return true;
 }
 
+namespace
+{
 //------------------------------------------------------------------------------
 template <typename Array, typename Real>
-vtkSmartPointer<vtkDataArray> FluentNodes::ReadAs(
-  vtkIdType nodes, const IdSet* some, const Progress& progress) const
+vtkSmartPointer<vtkDataArray> ReadAs(
+  FluentFile& file, vtkIdType nodes, const IdSet* some, const Progress& progress)
 {
   Buffer<Real> coordinates(3 * (some ? some->GetNumberOfMembers() : nodes));
   const auto put = [&](vtkIdType point, const double* x)
@@ -175,17 +180,19 @@ vtkSmartPointer<vtkDataArray> FluentNodes::ReadAs(
       std::transform(x, x + 3, place, [](double value) { return static_cast<Real>(value); });
     }
   };
-  return this->ForEach(put, progress) ? coordinates.template TakeArray<Array>(3) : nullptr;
+  return ForEachFluentNode(file, put, progress) ? coordinates.template TakeArray<Array>(3)
+                                                : nullptr;
+}
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkDataArray> FluentNodes::Read(
-  vtkIdType nodes, const IdSet* some, const Progress& progress) const
+vtkSmartPointer<vtkDataArray> ReadFluentNodes(
+  FluentFile& file, vtkIdType nodes, const IdSet* some, const Progress& progress)
 {
-  const bool isSingle = !this->File.Nodes.empty() &&
-    std::all_of(this->File.Nodes.begin(), this->File.Nodes.end(),
+  const bool isSingle = !file.Nodes.empty() &&
+    std::all_of(file.Nodes.begin(), file.Nodes.end(),
       [](const FluentSection& section) { return section.RealSize == 4; });
-  return isSingle ? this->ReadAs<vtkFloatArray, float>(nodes, some, progress)
-                  : this->ReadAs<vtkDoubleArray, double>(nodes, some, progress);
+  return isSingle ? ReadAs<vtkFloatArray, float>(file, nodes, some, progress)
+                  : ReadAs<vtkDoubleArray, double>(file, nodes, some, progress);
 }
 }

@@ -31,7 +31,6 @@ public:
   FluentReading(FluentFile& file, const PieceRequest& request)
     : File(file)
     , Request(request)
-    , Nodes(file)
   {
     this->Mesh.Dimension = file.GetDimension();
   }
@@ -54,7 +53,6 @@ private:
 
   FluentFile& File;
   const PieceRequest& Request;
-  FluentNodes Nodes;
   FluentMesh Mesh;
   FluentInteriorZones Interior;
   ScanError Error;
@@ -112,7 +110,7 @@ bool FluentReading::SelectPiece(vtkIdType nodes, const Progress& progress)
     this->Mesh.Piece.LeaveOutUnusedPoints();
   }
   this->Mesh.Piece.SetPoints([&](const PieceOfSpace::Visit& visit)
-    { return this->Nodes.ForEach(visit, progress.Part(0, 0)); });
+    { return ForEachFluentNode(this->File, visit, progress.Part(0, 0)); });
   const bool good = this->Mesh.Piece.FindByFaces(nodes, this->Mesh.Cells.GetNumberOfLeaves(),
     this->Mesh.Faces.GetCount(), this->Request,
     [&]
@@ -191,7 +189,7 @@ bool FluentReading::CheckDeclaredFaces()
 bool FluentReading::Read(vtkUnstructuredGrid* grid, vtkMultiBlockDataSet* boundaries,
   Warnings& warnings, const Progress& progress)
 {
-  const vtkIdType nodes = this->Nodes.Count();
+  const vtkIdType nodes = CountFluentNodes(this->File);
   if (nodes < 0 || !this->Mesh.Faces.Open(this->File, nodes))
   {
     return false;
@@ -230,7 +228,7 @@ bool FluentReading::Read(vtkUnstructuredGrid* grid, vtkMultiBlockDataSet* bounda
     return false;
   }
   const IdSet* const some = this->Mesh.Piece.IsWhole() ? nullptr : &this->Mesh.Piece.GetPoints();
-  const auto coordinates = this->Nodes.Read(nodes, some, progress.Part(0.8, 1));
+  const auto coordinates = ReadFluentNodes(this->File, nodes, some, progress.Part(0.8, 1));
   if (!coordinates)
   {
     return false;

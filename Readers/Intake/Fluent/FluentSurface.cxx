@@ -112,9 +112,8 @@ void AddArrays(const FluentFaces& faces, const CellMeshPiece& piece, vtkUnstruct
 bool ReadFluentSurface(FluentFile& file, FluentFaces& faces, const PieceRequest& request,
   vtkUnstructuredGrid* grid, Warnings& warnings, const Progress& progress)
 {
-  FluentNodes nodes(file);
   CellMesh mesh;
-  mesh.NumberOfPoints = nodes.Count();
+  mesh.NumberOfPoints = CountFluentNodes(file);
   CellMeshPiece piece;
   if (!file.ZonesLeftOut.empty())
   {
@@ -129,7 +128,7 @@ bool ReadFluentSurface(FluentFile& file, FluentFaces& faces, const PieceRequest&
   const vtkIdType all = mesh.NumberOfPoints;
   KeepPiece(mesh, piece);
   const IdSet* const some = piece.IsWhole() ? nullptr : &piece.GetPoints();
-  const auto points = nodes.Read(all, some, progress.Part(0.7, 0.9));
+  const auto points = ReadFluentNodes(file, all, some, progress.Part(0.7, 0.9));
   if (!points)
   {
     return false;
