@@ -274,20 +274,18 @@ bool FluentStandardCells::Place()
   const FluentShape shape = this->Mesh.GetShape(0);
   this->CommonType = shape.Type;
   this->CommonSize = shape.Nodes;
-  return shape.Faces > 0 && this->Count * shape.Nodes <= INT32_MAX &&
-    this->Count * shape.Faces <= 2 * this->Mesh.Faces.GetCount();
+  return shape.Faces > 0 && this->Count * shape.Nodes <= INT32_MAX;
 }
 
 //------------------------------------------------------------------------------
 bool FluentStandardCells::PlaceMixed()
 {
   std::atomic<bool> areStandard{ true };
-  std::atomic<vtkIdType> faces{ 0 };
   const vtkIdType nodes = ParallelScan(
     this->Count, HeavyGrain,
     [&](vtkIdType begin, vtkIdType end)
     {
-      vtkIdType sum = 0, sumOfFaces = 0;
+      vtkIdType sum = 0;
       const bool isOne = this->Mesh.Piece.IsWhole() && this->Mesh.Cells.HaveOneElement(begin, end);
       FluentShape shape = this->Mesh.GetShape(begin);
       for (vtkIdType cell = begin; cell < end && areStandard; ++cell)
@@ -300,9 +298,7 @@ bool FluentStandardCells::PlaceMixed()
         this->Types[cell] = shape.Type;
         this->Offsets[cell] = static_cast<Id>(sum);
         sum += shape.Nodes;
-        sumOfFaces += shape.Faces;
       }
-      faces += sumOfFaces;
       return sum;
     },
     [&](vtkIdType begin, vtkIdType end, vtkIdType before)
@@ -312,7 +308,7 @@ bool FluentStandardCells::PlaceMixed()
         this->Offsets[cell] += static_cast<Id>(before);
       }
     });
-  if (!areStandard || nodes > INT32_MAX || faces > 2 * this->Mesh.Faces.GetCount())
+  if (!areStandard || nodes > INT32_MAX)
   {
     return false;
   }
