@@ -193,6 +193,7 @@ bool HeaderReading::ReadElement(const std::vector<std::string_view>& words)
     return this->Fail(words[2], ErrorKind::Count, what + " from 0 to 2147483647");
   }
   PLYElement element;
+  element.HasNamesOfFile = true;
   element.Name = std::string(words[1]);
   element.Count = count;
   this->Header.Elements.push_back(element);

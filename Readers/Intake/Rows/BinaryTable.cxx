@@ -109,8 +109,10 @@ bool BinaryTable::FailAtRow(
   const bool hasLength = property.IsList && end - place >= GetSize(property.CountType);
   const std::int64_t length = hasLength ? this->LoadLength(property.CountType, place) : 0;
   return this->Scanner.FailAt(place, length < 0 ? ErrorKind::Count : ErrorKind::Truncated,
-    (property.IsList ? "list " + QuoteWord(property.Name) + " of " : "") +
-      QuoteWord(this->Description.Name) + " " + std::to_string(row),
+    (property.IsList
+        ? (this->Description.HasNamesOfFile ? "list " : "") + this->Quote(property.Name) + " of "
+        : "") +
+      this->Quote(this->Description.Name) + " " + std::to_string(row),
     hasLength ? "a length of " + std::to_string(length) + " with " + bytesLeft
               : "the end of the file");
 }
@@ -136,8 +138,7 @@ bool BinaryTable::Locate(const Progress& progress)
   if (count > bytes / least)
   {
     return this->Fail(ErrorKind::Truncated,
-      "at least " + std::to_string(count * least) + " bytes of " + std::to_string(count) +
-        " elements " + QuoteWord(this->Description.Name),
+      "at least " + std::to_string(count * least) + " bytes of " + this->CountRows(),
       std::to_string(bytes));
   }
   PropertyPlaces places(this->Stored.size());
@@ -441,7 +442,8 @@ bool BinaryTable::FailAtId(vtkIdType row, int property, vtkIdType item, const Li
   WithType(
     stored.Type, [&](auto in) { AppendNumber(number, Load<decltype(in)>(found, this->Swap)); });
   return this->Scanner.FailAt(found, ErrorKind::Index,
-    DescribeIds(expected) + " in " + QuoteWord(this->Description.Name) + " " + std::to_string(row),
+    DescribeIds(expected) + " in " + this->Quote(this->Description.Name) + " " +
+      std::to_string(row),
     number);
 }
 }

@@ -131,7 +131,7 @@ bool TableRows::CheckTotal(int property, const ListSizes& sizes)
   return sizes.Total <= INT32_MAX ||
     this->Fail(ErrorKind::Unsupported,
       "at most 2147483647 values in all lists " +
-        QuoteWord(this->Description.Properties[property].Name),
+        this->Quote(this->Description.Properties[property].Name),
       std::to_string(sizes.Total));
 }
 

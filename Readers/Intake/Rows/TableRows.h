@@ -48,7 +48,8 @@ struct Table
 {
   std::string Name; ///< of a row, e.g. "face"
   vtkIdType Count = 0;
-  std::vector<TableProperty> Properties;
+  std::vector<TableProperty> Properties; ///< the name of a list is a plural, e.g. "points"
+  bool HasNamesOfFile = false; ///< whether messages quote these names, as the file has them, too
 };
 
 /// Conversion of a value for an array.
@@ -181,15 +182,22 @@ public:
     const std::vector<int>& properties, FunctionRef<void(vtkIdType row, const double* x)> visit);
   ///@}
 
-  /// Sets the error for all rows; returns false.
+  ///@{
+  /// Sets the error for all rows, or for one, which has a line of its own in text; returns false.
   virtual bool Fail(ErrorKind kind, const std::string& expected, const std::string& found) = 0;
+  virtual bool FailInRow(
+    vtkIdType, ErrorKind kind, const std::string& expected, const std::string& found)
+  {
+    return this->Fail(kind, expected, found);
+  }
+  ///@}
   ///@{
   /// Rows with more values than the header declares; known when the rows have been read.
   const Tally& GetLongRows() const { return this->LongRows; }
   bool RefuseLongRows()
   {
     return this->LongRows.Count == 0 ||
-      this->Fail(ErrorKind::Syntax, "rows of their declared length",
+      this->FailInRow(this->LongRows.First, ErrorKind::Syntax, "rows of their declared length",
         "more in " + this->Description.Name + " " + std::to_string(this->LongRows.First) +
           FromZero);
   }
@@ -284,6 +292,18 @@ protected:
           : AreIds(ids, size, expected.Limit, expected.HasBreaks));
   }
   static std::string DescribeIds(const ListIds& expected);
+  /// The name of the table or of a property, as messages show it.
+  std::string Quote(const std::string& name) const
+  {
+    return this->Description.HasNamesOfFile ? QuoteWord(name) : name;
+  }
+  /// "8 elements 'face'", or of other files "8 rows, one per face".
+  std::string CountRows() const
+  {
+    return std::to_string(this->GetCount()) +
+      (this->Description.HasNamesOfFile ? " elements " : " rows, one per ") +
+      this->Quote(this->Description.Name);
+  }
   /// An integer that fits, or else the least one.
   template <typename In>
   static std::int32_t ToId(In value)

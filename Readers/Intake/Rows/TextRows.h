@@ -231,6 +231,18 @@ private:
   bool HasBegun = false;
 };
 
+/// Moves to the next line, if this one has nothing more; else false with the error in the scanner.
+inline bool EndLine(TextScanner& scanner)
+{
+  if (TextRow(scanner).HasMore())
+  {
+    scanner.SkipSpace();
+    return scanner.FailAt(scanner.GetPosition(), ErrorKind::Syntax, "the end of the line");
+  }
+  scanner.SkipLine();
+  return true;
+}
+
 /**
  * Calls @a visit(row, piece, TextRow&) for the next @a count lines of a large text in parallel.
  * There are lines->GetNumberOfPieces(section) parts, each of which is visited in order by one

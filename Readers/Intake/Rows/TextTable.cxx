@@ -73,7 +73,12 @@ public:
   bool Locate(const Progress& progress) override;
   bool Check(const Progress& progress) override;
   bool ReadSizes(int property, ListSizes& sizes, const Progress& progress) override;
-  bool Fail(ErrorKind kind, const std::string& expected, const std::string& found) override;
+  bool Fail(ErrorKind kind, const std::string& expected, const std::string& found) override
+  {
+    return this->FailInRow(0, kind, expected, found);
+  }
+  bool FailInRow(
+    vtkIdType row, ErrorKind kind, const std::string& expected, const std::string& found) override;
 
 private:
   bool ForEachBlock(const Request& request, const Progress& progress, VisitBlock visit) override;
@@ -140,10 +145,19 @@ TextTable::TextTable(
 {
   for (TableProperty& property : this->Stored)
   {
-    const std::string name = QuoteWord(property.Name) + " of " + QuoteWord(table.Name);
-    this->Values.push_back(
-      (property.IsList ? "a value of " : "") + name + " (" + GetName(property.Type) + ")");
-    this->Lengths.push_back("the length of the list " + name);
+    if (table.HasNamesOfFile)
+    {
+      const std::string name = QuoteWord(property.Name) + " of " + QuoteWord(table.Name);
+      this->Values.push_back(
+        (property.IsList ? "a value of " : "") + name + " (" + GetName(property.Type) + ")");
+      this->Lengths.push_back("the length of the list " + name);
+    }
+    else
+    {
+      const std::string name = property.Name + " of a " + table.Name;
+      this->Values.push_back((property.IsList ? "one of the " : "") + name);
+      this->Lengths.push_back("the number of " + name);
+    }
     property.CountType = ValueType::Int32;
   }
 }
@@ -369,8 +383,7 @@ bool TextTable::Locate(const Progress& progress)
   if (this->GetCount() > (this->Scanner.GetBytesLeft() + 1) / least)
   {
     return this->Scanner.FailAt(this->Scanner.GetPosition(), ErrorKind::Truncated,
-      "at least " + std::to_string(this->GetCount() * least) + " bytes of " +
-        std::to_string(this->GetCount()) + " elements " + QuoteWord(this->Description.Name),
+      "at least " + std::to_string(this->GetCount() * least) + " bytes of " + this->CountRows(),
       std::to_string(this->Scanner.GetBytesLeft()));
   }
   this->Rows.emplace(
@@ -417,16 +430,22 @@ bool TextTable::ReadSizes(int property, ListSizes& sizes, const Progress& progre
     (sizes.Total <= bytes / ValueBytes + 1 ||
       this->Fail(ErrorKind::Truncated,
         "at most 2147483647 values in all lists " +
-          QuoteWord(this->Description.Properties[property].Name),
+          this->Quote(this->Description.Properties[property].Name),
         std::to_string(sizes.Total)));
 }
 
 //------------------------------------------------------------------------------
-bool TextTable::Fail(ErrorKind kind, const std::string& expected, const std::string& found)
+bool TextTable::FailInRow(
+  vtkIdType row, ErrorKind kind, const std::string& expected, const std::string& found)
 {
-  TextScanner begin = this->Begin;
-  begin.SkipSpace();
-  return !this->Lines && this->Scanner.FailAt(begin.GetPosition(), kind, expected, found);
+  TextScanner scanner = this->Begin;
+  scanner.SkipSpace();
+  for (; row > 0 && this->Layout == RowLayout::OneLine; --row)
+  {
+    scanner.SkipLine();
+    scanner.SkipSpace();
+  }
+  return !this->Lines && this->Scanner.FailAt(scanner.GetPosition(), kind, expected, found);
 }
 }
 

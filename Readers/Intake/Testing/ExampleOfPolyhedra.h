@@ -35,18 +35,17 @@ public:
     std::unique_ptr<TableRows> points, faces, cells;
     text.SkipLine(); // poly 1 ...
     const auto open = [&](const char* keyword, double end, std::unique_ptr<TableRows>& rows,
-                        std::vector<TableProperty> properties)
+                        const char* name, std::vector<TableProperty> properties)
     {
       std::string_view word;
       std::int64_t count = 0;
       if (!text.ReadWord(word, keyword) ||
         (word != keyword && !text.FailAt(word.data(), ErrorKind::Syntax, keyword)) ||
-        !text.ReadCount(count, 4, "a number of rows"))
+        !text.ReadCount(count, 4, "a number of rows") || !EndLine(text))
       {
         return false;
       }
-      text.SkipLine();
-      const Table table{ keyword, count, std::move(properties) };
+      const Table table{ name, count, std::move(properties) };
       if (!binary)
       {
         rows = MakeTextRows(table, text, lines, RowLayout::OneLine);
@@ -58,10 +57,10 @@ public:
       text.SetPosition(binary->GetPosition());
       return good;
     };
-    if (!open("POINTS", 0.1, points, { { "x", real }, { "y", real }, { "z", real } }) ||
-      !open("FACES", 0.2, faces, { { "points", integer, true, integer } }) ||
-      !open(
-        "CELLS", 0.3, cells, { { "faces", integer, true, integer }, { "material", integer } }) ||
+    if (!open("POINTS", 0.1, points, "point", { { "x", real }, { "y", real }, { "z", real } }) ||
+      !open("FACES", 0.2, faces, "face", { { "points", integer, true, integer } }) ||
+      !open("CELLS", 0.3, cells, "cell",
+        { { "faces", integer, true, integer }, { "material", integer } }) ||
       (text.SkipSpace() &&
         !text.FailAt(text.GetPosition(), ErrorKind::Syntax, "the end of the file")))
     {
@@ -96,6 +95,27 @@ private:
 };
 
 //------------------------------------------------------------------------------
+/// Reads the first line. @param order of binary rows; none for text
+inline bool ReadFirstLine(const MappedFile& file, std::optional<ByteOrder>& order)
+{
+  const std::string_view line(file.begin(), FindLineEnd(file.begin(), file.end()) - file.begin());
+  const bool isBig = line == "poly 1 big";
+  if (isBig || line == "poly 1 little")
+  {
+    order = isBig ? ByteOrder::Big : ByteOrder::Little;
+  }
+  return order || line == "poly 1 text";
+}
+
+//------------------------------------------------------------------------------
+inline bool IsExampleOfPolyhedra(const std::string& path)
+{
+  const MappedFile file(path);
+  std::optional<ByteOrder> order;
+  return ReadFirstLine(file, order);
+}
+
+//------------------------------------------------------------------------------
 inline bool ReadExampleOfPolyhedra(const std::string& path, const PieceRequest& request,
   vtkUnstructuredGrid* grid, Warnings& warnings, ScanError& error, const Progress& progress,
   vtkIdType chunk)
@@ -103,13 +123,8 @@ inline bool ReadExampleOfPolyhedra(const std::string& path, const PieceRequest& 
   return ReadMappedFile(path, request, grid, warnings, error, progress,
     [&](const MappedFile& file, const Progress& rest)
     {
-      std::string_view line(file.begin(), FindLineEnd(file.begin(), file.end()) - file.begin());
       std::optional<ByteOrder> order;
-      if (line == "poly 1 little" || line == "poly 1 big")
-      {
-        order = line == "poly 1 big" ? ByteOrder::Big : ByteOrder::Little;
-      }
-      else if (line != "poly 1 text")
+      if (!ReadFirstLine(file, order))
       {
         TextScanner text(file.GetName(), file.begin(), file.end());
         text.FailAt(file.begin(), ErrorKind::NotThisFormat, "\"poly 1 text\", little or big");

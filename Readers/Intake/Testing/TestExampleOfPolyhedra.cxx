@@ -99,6 +99,7 @@ protected:
     ScanError error;
     const bool good = ReadExampleOfPolyhedra(path, piece, grid, warnings, error, {}, chunk);
     EXPECT_EQ(good, !error) << error.Message;
+    EXPECT_EQ(IsExampleOfPolyhedra(path), error.Kind != ErrorKind::NotThisFormat);
     return error;
   }
 
@@ -155,7 +156,17 @@ TEST_F(ExampleFile, Damaged)
     { replace("6 -1 2", "6 -7 2"), "a face of a cell from 1 to 6, or negative" },
     { replace("6 -1 2", "6 2 2"), "expected at most one cell on each side of a face" },
     { replace("6 -1 2", "5 -1 2"),
-      "expected rows of their declared length, found more in CELLS 0 (counted from 0)" },
+      "boxes.poly:19: expected rows of their declared length, found more in cell 0 (counted from "
+      "0)" },
+    { replace("0 1 1 \n", "0 1 1 7 \n"),
+      "boxes.poly:5: expected rows of their declared length, found more in point 2 (counted from "
+      "0)" },
+    { replace("4 1 2 3 4 \n", "4 1 2 3 \n"),
+      "boxes.poly:12: expected one of the points of a face, found the end of the line" },
+    { replace("4 1 2 3 4 \n", "four 1 2 3 4 \n"),
+      "boxes.poly:12: expected the number of points of a face, found 'four'" },
+    { replace("100", "x"), "boxes.poly:19: expected material of a cell, found 'x'" },
+    { replace("FACES 6", "FACES 6 7"), "boxes.poly:11: expected the end of the line, found '7'" },
     { replace("POINTS 8", "POINTS 800000000"), "boxes.poly:2: expected " },
     { good + "more", "expected the end of the file, found 'more'" },
   };

@@ -141,17 +141,17 @@ TEST(PolygonOFFDamage, WrongWordsInBinary)
   refuse(Words() << 0 << 0, "the number of edges");
   refuse(Words() << 0 << 1 << 1 << 0, "the number of dimensions", "nOFF BINARY\n");
   refuse(points() << -3 << 0,
-    "byte 47: expected list 'vertices' of 'face' 0, found a length of -3 with 8 bytes left");
+    "byte 47: expected vertices of face 0, found a length of -3 with 8 bytes left");
   refuse(points() << 3 << 0 << 1,
-    "byte 47: expected list 'vertices' of 'face' 0, found a length of 3 with 12 bytes left");
+    "byte 47: expected vertices of face 0, found a length of 3 with 12 bytes left");
   refuse(points() << 2 << 0 << 1 << -1,
-    "byte 59: expected list 'color' of 'face' 0, found a length of -1 with 4 bytes left");
+    "byte 59: expected color of face 0, found a length of -1 with 4 bytes left");
   refuse(points() << 2 << 0 << 1 << 3 << 0.f,
-    "byte 59: expected list 'color' of 'face' 0, found a length of 3 with 8 bytes left");
+    "byte 59: expected color of face 0, found a length of 3 with 8 bytes left");
   refuse(points() << 2 << 0 << 2 << 0,
-    "byte 55: expected a vertex of a face from 0 to 1 in 'face' 0, found 2");
+    "byte 55: expected a vertex of a face from 0 to 1 in face 0, found 2");
   refuse(points() << 2 << -1 << 2 << 0,
-    "byte 51: expected a vertex of a face from 0 to 1 in 'face' 0, found -1");
+    "byte 51: expected a vertex of a face from 0 to 1 in face 0, found -1");
 }
 
 //------------------------------------------------------------------------------
