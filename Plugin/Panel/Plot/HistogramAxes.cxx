@@ -7,7 +7,6 @@
 #include "PlotText.h"
 
 #include <QCoreApplication>
-#include <QFontMetricsF>
 #include <QPainter>
 
 #include <algorithm>
@@ -53,7 +52,7 @@ public:
       return;
     }
     const QRectF& columns = this->Scene.Columns;
-    const double height = QFontMetricsF(this->Scene.Font).height();
+    const double height = this->Scene.Metrics.height();
     const bool isHigh = columns.height() > 4 * height;
     for (const int percent : { 0, 25, 50, 75, 100 })
     {
@@ -77,7 +76,6 @@ public:
         this->Colors.Axis);
       return;
     }
-    const QFontMetricsF metrics(this->Scene.Font);
     for (const Tick& tick : this->Scene.ValueTicks)
     {
       const double x = this->Scene.Align(this->Scene.ToX(tick.Value));
@@ -86,10 +84,11 @@ public:
       if (!tick.Label.isEmpty())
       {
         // Labels at the ends stay near the plot, so that those of other columns have space.
-        const double width = std::ceil(metrics.horizontalAdvance(tick.Label));
+        const double width = std::ceil(this->Scene.Metrics.horizontalAdvance(tick.Label));
         const double left = std::clamp(x - width / 2, plot.left() - LabelGap,
           std::max(plot.right() + LabelGap - width, plot.left() - LabelGap));
-        this->PaintText(QRectF(left, plot.bottom() + TickLength, width + 1, metrics.height()),
+        this->PaintText(
+          QRectF(left, plot.bottom() + TickLength, width + 1, this->Scene.Metrics.height()),
           Qt::AlignLeft | Qt::AlignTop, tick.Label, this->Colors.Text);
       }
     }
@@ -98,7 +97,7 @@ public:
   void PaintColumnLabels()
   {
     const HistogramData& data = this->Scene.Data;
-    const double height = QFontMetricsF(this->Scene.Font).height();
+    const double height = this->Scene.Metrics.height();
     for (int column = 0; column < data.GetNumberOfColumns(); ++column)
     {
       const QRectF slot = this->Scene.GetSlot(column);
@@ -115,10 +114,9 @@ public:
 
   void PaintTitles()
   {
-    const QFontMetricsF metrics(this->Scene.Font);
     const QRectF& title = this->Scene.Title;
     this->PaintText(title, Qt::AlignCenter,
-      metrics.elidedText(GetTitle(this->Scene.Data), Qt::ElideRight, title.width()),
+      this->Scene.Metrics.elidedText(GetTitle(this->Scene.Data), Qt::ElideRight, title.width()),
       this->Colors.Text);
 
     const QRectF& box = this->Scene.CountTitle;
@@ -127,7 +125,7 @@ public:
     constexpr double quarter = -90;
     this->Painter->rotate(quarter);
     this->PaintText(QRectF(0, 0, box.height(), box.width()), Qt::AlignCenter,
-      metrics.elidedText(GetElements(this->Scene.Data), Qt::ElideRight, box.height()),
+      this->Scene.Metrics.elidedText(GetElements(this->Scene.Data), Qt::ElideRight, box.height()),
       this->Colors.Axis);
     this->Painter->restore();
   }
@@ -161,7 +159,6 @@ public:
     {
       return;
     }
-    const QFontMetricsF metrics(this->Scene.Font);
     const auto [low, high] = this->Scene.Data.GetAxisRange();
     constexpr double fraction = 1e-3; // of the axis
     const double tolerance = fraction * (high - low);
@@ -180,7 +177,8 @@ public:
       {
         const QString text = FormatLimit(
           limit, this->Scene.Data.Unit, GetNumberOfDigits(limit, tolerance, leastDigits));
-        const QRectF box = this->GetTextBox(handle, std::ceil(metrics.horizontalAdvance(text)) + 1);
+        const QRectF box =
+          this->GetTextBox(handle, std::ceil(this->Scene.Metrics.horizontalAdvance(text)) + 1);
         if (handle == first ||
           !(box.intersects(occupied) || box.intersects(this->Scene.GetGrip(first))))
         {

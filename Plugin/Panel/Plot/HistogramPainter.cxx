@@ -138,7 +138,7 @@ public:
     constexpr double farthest = 1e4; // from the plot, within what the painter can draw
     const double first = plot.left() - farthest, last = plot.right() + farthest;
     double y = this->Scene.PercentToY(0);
-    QPolygonF points({ { first, y } });
+    QPolygonF points({ { plot.left() - CurveWidth, y } });
     for (std::size_t i = 0; i < curve.Values.size(); ++i)
     {
       const double x = std::clamp(this->Scene.ToX(curve.Values[i]), first, last);
@@ -228,7 +228,7 @@ private:
   void PaintPart(int column, const QRectF& bar, double count, bool isFaded)
   {
     const HistogramData& data = this->Scene.Data;
-    const bool isRange = data.IsBin(column) && !data.HasIntegerBins() && !data.IsConstant();
+    const bool isRange = data.IsBin(column) && !this->Scene.HasIntegerBins && !data.IsConstant();
     const QRectF part = MakeBox(bar.left(), this->Scene.ToY(count), bar.right(), bar.bottom());
     if (isRange && this->Scene.HasLimits())
     { // a limit may be within the bin
@@ -249,10 +249,13 @@ private:
       std::clamp(high, box.left(), box.right()), box.right() };
     for (int part = 0; part < 3; ++part)
     {
-      const double middle = this->Scene.ToValue((ends[part] + ends[part + 1]) / 2);
-      const bool isGood = middle >= this->Scene.Low && middle <= this->Scene.High;
-      this->Fill(
-        MakeBox(ends[part], box.top(), ends[part + 1], box.bottom()), isGood ? good : bad, isFaded);
+      if (ends[part + 1] > ends[part])
+      {
+        const double middle = this->Scene.ToValue((ends[part] + ends[part + 1]) / 2);
+        const bool isGood = middle >= this->Scene.Low && middle <= this->Scene.High;
+        this->Fill(MakeBox(ends[part], box.top(), ends[part + 1], box.bottom()),
+          isGood ? good : bad, isFaded);
+      }
     }
   }
 

@@ -6,7 +6,6 @@
 #include "PlotText.h"
 
 #include <QCoreApplication>
-#include <QFontMetricsF>
 
 #include <algorithm>
 #include <cmath>
@@ -103,11 +102,12 @@ QStringList GetLegendLabels(const HistogramScene& scene)
 void HistogramScene::Place(const QSizeF& size, const QFont& font, double pixelRatio)
 {
   this->Font = MakeFont(font);
+  this->Metrics = QFontMetricsF(this->Font);
   this->Size = size;
   this->PixelRatio = pixelRatio;
   this->HasBriefLabels = size.width() < NarrowPlot;
-  const QFontMetricsF metrics(this->Font);
-  const double line = std::ceil(metrics.height());
+  this->HasIntegerBins = this->Data.HasIntegerBins();
+  const double line = std::ceil(this->Metrics.height());
   this->PlaceLegend();
 
   const double stripTop =
@@ -121,10 +121,11 @@ void HistogramScene::Place(const QSizeF& size, const QFont& font, double pixelRa
   this->CountTicks =
     GetCountTicks(this->Counts, static_cast<int>(this->Plot.height() / (1.8 * line)));
 
-  const double countLabels = GetWidestLabel(metrics, this->CountTicks);
+  const double countLabels = GetWidestLabel(this->Metrics, this->CountTicks);
   this->CountTitle = QRectF(Margin - 1, top, line, this->Plot.height());
   const double left = this->CountTitle.right() + 2 + countLabels + Gap;
-  const double percentLabels = this->Cumulative ? GetWidth(metrics, FormatPercent(1, 1)) + Gap : 0;
+  const double percentLabels =
+    this->Cumulative ? GetWidth(this->Metrics, FormatPercent(1, 1)) + Gap : 0;
   const double right = size.width() - Margin - std::max(percentLabels, HandleWidth);
   this->PlaceColumns(left, right);
 
@@ -142,23 +143,22 @@ void HistogramScene::Place(const QSizeF& size, const QFont& font, double pixelRa
 // The last entry summarizes those that do not fit.
 void HistogramScene::PlaceLegend()
 {
-  const QFontMetricsF metrics(this->Font);
   const QStringList labels = GetLegendLabels(*this);
   const double width = this->Size.width() - 2 * Margin;
-  const double height = std::ceil(metrics.height());
-  const double swatch = std::round(metrics.ascent() * 0.75);
+  const double height = std::ceil(this->Metrics.height());
+  const double swatch = std::round(this->Metrics.ascent() * 0.75);
   const int size = static_cast<int>(labels.size());
   double x = 0;
   int line = 0;
   this->Legend.clear();
   for (int i = 0; i < size; ++i)
   {
-    const QString text = metrics.elidedText(labels[i], Qt::ElideRight, width * LongestLabel);
-    const double textWidth = GetWidth(metrics, text);
+    const QString text = this->Metrics.elidedText(labels[i], Qt::ElideRight, width * LongestLabel);
+    const double textWidth = GetWidth(this->Metrics, text);
     // Where this is the last line, the number of the other entries must fit behind this one.
     const bool isLastLine = line + 1 == MostLegendLines;
     const double rest =
-      i < size - 1 && isLastLine ? OuterGap + metrics.horizontalAdvance(GetRest(size)) : 0;
+      i < size - 1 && isLastLine ? OuterGap + this->Metrics.horizontalAdvance(GetRest(size)) : 0;
     if (x > 0 && x + swatch + InnerGap + textWidth + rest > width)
     {
       if (isLastLine)
@@ -188,13 +188,14 @@ QRectF HistogramScene::MakeSlot(double left, double right) const
 //------------------------------------------------------------------------------
 void HistogramScene::PlaceColumns(double left, double right)
 {
-  const QFontMetricsF metrics(this->Font);
   this->Columns = this->MakeSlot(left, right);
   this->Slots.assign(this->Data.GetNumberOfColumns(), QRectF());
   const auto getWidth = [&](HistogramData::Column type)
   {
     const QString label = GetColumnLabel(type, this->HasBriefLabels);
-    return this->Data.GetCount(type) == 0 ? 0 : std::max(GetWidth(metrics, label), NarrowestColumn);
+    return this->Data.GetCount(type) == 0
+      ? 0
+      : std::max(GetWidth(this->Metrics, label), NarrowestColumn);
   };
   left = this->Columns.left();
   right = this->Columns.right();
@@ -262,7 +263,6 @@ void HistogramScene::MakeCountScale()
 //------------------------------------------------------------------------------
 void HistogramScene::MakeValueTicks()
 {
-  const QFontMetricsF metrics(this->Font);
   this->ValueTicks.clear();
   // The width of the labels depends on the ticks.
   constexpr int most = 12;
@@ -271,7 +271,8 @@ void HistogramScene::MakeValueTicks()
     this->ValueTicks = GetTicks(this->Values, number);
     const auto labels = std::count_if(this->ValueTicks.begin(), this->ValueTicks.end(),
       [](const Tick& tick) { return !tick.Label.isEmpty(); });
-    if (static_cast<double>(labels) * (GetWidestLabel(metrics, this->ValueTicks) + LeastLabelGap) <=
+    if (static_cast<double>(labels) *
+        (GetWidestLabel(this->Metrics, this->ValueTicks) + LeastLabelGap) <=
       this->Plot.width())
     {
       break;
@@ -356,7 +357,7 @@ double HistogramScene::LimitToX(double limit, bool isLow) const
   {
     return limit < 0 ? this->Plot.left() : this->Plot.right();
   }
-  if (this->Data.HasIntegerBins())
+  if (this->HasIntegerBins)
   {
     limit = isLow ? std::ceil(limit) - 0.5 : std::floor(limit) + 0.5;
   }
@@ -438,7 +439,7 @@ double HistogramScene::GetNumberAt(double x) const
 {
   constexpr double half = 0.5; // of a pixel
   const double value = this->ToValue(x);
-  if (this->Data.HasIntegerBins())
+  if (this->HasIntegerBins)
   {
     return std::round(value);
   }

@@ -21,6 +21,7 @@
 #include "Ticks.h"
 
 #include <QFont>
+#include <QFontMetricsF>
 #include <QRectF>
 #include <QSizeF>
 
@@ -92,6 +93,7 @@ public:
   void Place(const QSizeF& size, const QFont& font, double pixelRatio);
 
   QFont Font; ///< of all texts
+  QFontMetricsF Metrics{ Font };
   QSizeF Size;
   double PixelRatio = 1; ///< physical pixels per unit
   QRectF Plot;           ///< the bins
@@ -101,6 +103,7 @@ public:
   QRectF Title;
   QRectF CountTitle;               ///< to be rotated
   bool HasBriefLabels = false;     ///< of the columns beside the bins
+  bool HasIntegerBins = false;     ///< as the data
   std::vector<LegendEntry> Legend; ///< left-aligned lines
   std::vector<Tick> ValueTicks;
   std::vector<Tick> CountTicks;

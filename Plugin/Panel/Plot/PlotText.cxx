@@ -21,15 +21,14 @@ struct Text
 };
 
 // The first line in bold type; no line is broken.
-QString ToRichText(const QStringList& lines)
+QString ToRichText(QStringList lines)
 {
-  QStringList escaped;
-  for (const QString& line : lines)
+  for (QString& line : lines)
   {
-    escaped << line.toHtmlEscaped();
+    line = line.toHtmlEscaped();
   }
-  escaped.front() = "<b>" + escaped.front() + "</b>";
-  return "<p style='white-space:pre'>" + escaped.join("<br>") + "</p>";
+  lines.front() = "<b>" + lines.front() + "</b>";
+  return "<p style='white-space:pre'>" + lines.join("<br>") + "</p>";
 }
 
 QStringList DescribeHandle(const HistogramScene& scene, LimitHandle handle)

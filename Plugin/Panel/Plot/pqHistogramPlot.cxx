@@ -4,6 +4,7 @@
 
 #include "HistogramPainter.h"
 
+#include <QEvent>
 #include <QPainter>
 
 #include <algorithm>
