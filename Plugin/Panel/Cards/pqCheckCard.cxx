@@ -35,6 +35,9 @@ using camaron::PanelTable;
 
 constexpr qint64 LargestFile = 1 << 20; // as Check Quality reads
 
+// At most eight rows; column 2, the rules in lines of 27 characters, takes what the others leave.
+constexpr camaron::TableShape WideRules{ 8, 2, 27, true };
+
 //------------------------------------------------------------------------------
 QColor GetColor(const QString& verdict, const QPalette& palette)
 {
@@ -102,8 +105,6 @@ QString SpellRules(int number)
 pqCheckCard::pqCheckCard(pqInspectorState* state, QWidget* parent)
   : Superclass("Check", tr("Check"), false, state, parent)
   , Preset(new QComboBox(this->content()))
-  , EditPreset(camaron::MakeTool(this->content(), "EditPreset",
-      tr("Write the rules of the preset into the editor, to change them")))
   , Rules(new pqRulesEditor(this->content()))
   , Tolerance(new QLineEdit(this->content()))
   , Check(new QPushButton(tr("Check"), this->content()))
@@ -113,15 +114,9 @@ pqCheckCard::pqCheckCard(pqInspectorState* state, QWidget* parent)
         { tr("Failing"), SpellFailing, true }, { tr("Rule"), SpellRule, false },
         pqTableModel::ShowColumn(tr("Worst"), "WorstValue"), { tr("Id"), SpellWorstId, true } },
       this))
-  , Table(nullptr)
+  , Table(camaron::MakeTable(this->content(), "Verdicts", this->Verdicts, WideRules))
 {
   constexpr int visibleLines = 4;
-  camaron::TableShape shape;
-  shape.Rows = 8;
-  shape.WideColumn = 2; // the rules
-  shape.Characters = 27;
-  shape.ShrinksToRows = true;
-  this->Table = camaron::MakeTable(this->content(), "Verdicts", this->Verdicts, shape);
   this->Table->setToolTip(tr("Click a rule to select the cells that violate it"));
   this->Verdicts->setRowColor([this](const PanelTable& table, int row)
     { return GetColor(table.text(row, "Verdict"), this->palette()); });
@@ -139,20 +134,18 @@ pqCheckCard::pqCheckCard(pqInspectorState* state, QWidget* parent)
                                  "such as 3 or 0.1%"));
   this->Check->setObjectName("Check");
 
-  auto* choices = new QHBoxLayout;
+  QHBoxLayout* choices = this->addRow();
   choices->addWidget(this->Preset, 1);
-  choices->addWidget(this->EditPreset);
-  QToolButton* open = camaron::MakeTool(this->content(), "OpenRules", tr("Open a file of rules"));
-  QToolButton* save = camaron::MakeTool(this->content(), "SaveRules", tr("Save the rules"));
-  choices->addWidget(open);
-  choices->addWidget(save);
-  this->contentLayout()->addLayout(choices);
+  this->EditPreset = this->addTool(choices, "EditPreset",
+    tr("Write the rules of the preset into the editor, to change them"),
+    [this] { this->editPreset(); });
+  this->addTool(choices, "OpenRules", tr("Open a file of rules"), [this] { this->openRules(); });
+  this->addTool(choices, "SaveRules", tr("Save the rules"), [this] { this->saveRules(); });
   this->contentLayout()->addWidget(this->Rules);
-  auto* bottom = new QHBoxLayout;
+  QHBoxLayout* bottom = this->addRow();
   bottom->addWidget(new QLabel(tr("Tolerate"), this->content()));
   bottom->addWidget(this->Tolerance, 1);
   bottom->addWidget(this->Check);
-  this->contentLayout()->addLayout(bottom);
   this->contentLayout()->addWidget(this->Verdict);
   this->contentLayout()->addWidget(this->Table);
   this->Verdict->hide();
@@ -162,13 +155,8 @@ pqCheckCard::pqCheckCard(pqInspectorState* state, QWidget* parent)
   QObject::connect(this->Tolerance, &QLineEdit::returnPressed, this, &pqCheckCard::check);
   QObject::connect(this->Rules, &pqRulesEditor::textChanged, this, &pqCheckCard::forget);
   QObject::connect(this->Tolerance, &QLineEdit::textChanged, this, &pqCheckCard::forget);
-  QObject::connect(
-    this->Preset, QOverload<int>::of(&QComboBox::currentIndexChanged), this, &pqCheckCard::forget);
-  QObject::connect(this->Preset, QOverload<int>::of(&QComboBox::currentIndexChanged), this,
-    &pqCheckCard::enableEdit);
-  QObject::connect(this->EditPreset, &QToolButton::clicked, this, &pqCheckCard::editPreset);
-  QObject::connect(open, &QToolButton::clicked, this, &pqCheckCard::openRules);
-  QObject::connect(save, &QToolButton::clicked, this, &pqCheckCard::saveRules);
+  QObject::connect(this->Preset, &QComboBox::currentIndexChanged, this, &pqCheckCard::forget);
+  QObject::connect(this->Preset, &QComboBox::currentIndexChanged, this, &pqCheckCard::enableEdit);
   for (const auto signal : { &QTableView::clicked, &QTableView::activated })
   {
     QObject::connect(this->Table, signal, this,

@@ -61,16 +61,14 @@ pqCriteriaCard::pqCriteriaCard(pqInspectorState* state, QWidget* parent)
   this->Evaluate->setObjectName("Evaluate");
   this->Evaluate->setToolTip(tr("Evaluates the ticked criteria with one filter in the pipeline"));
 
-  auto* choices = new QHBoxLayout;
+  QHBoxLayout* choices = this->addRow();
   choices->addWidget(this->Elements);
   choices->addWidget(this->Preset, 1);
   choices->addWidget(this->Search, 1);
-  this->contentLayout()->addLayout(choices);
   this->contentLayout()->addWidget(this->Tree);
-  auto* bottom = new QHBoxLayout;
+  QHBoxLayout* bottom = this->addRow();
   bottom->addWidget(this->Cost, 1);
   bottom->addWidget(this->Evaluate);
-  this->contentLayout()->addLayout(bottom);
   this->Delay.setSingleShot(true);
   this->Delay.setInterval(DelayMilliseconds);
   this->AfterPicture.setSingleShot(true);
@@ -92,7 +90,7 @@ pqCriteriaCard::pqCriteriaCard(pqInspectorState* state, QWidget* parent)
       const pqScopedOverrideCursor waiting(Qt::WaitCursor);
       this->selection()->selectOutside(name);
     });
-  QObject::connect(this->Elements, QOverload<int>::of(&QComboBox::currentIndexChanged), this,
+  QObject::connect(this->Elements, &QComboBox::currentIndexChanged, this,
     [this]
     {
       this->fillTree();
@@ -100,8 +98,8 @@ pqCriteriaCard::pqCriteriaCard(pqInspectorState* state, QWidget* parent)
       this->state()->setElements(this->elementType());
       this->refreshWhenVisible();
     });
-  QObject::connect(this->Preset, QOverload<int>::of(&QComboBox::currentIndexChanged), this,
-    &pqCriteriaCard::tickPreset);
+  QObject::connect(
+    this->Preset, &QComboBox::currentIndexChanged, this, &pqCriteriaCard::tickPreset);
   QObject::connect(this->questions(), &pqMeshQuestions::registryChanged, this,
     [this]
     {

@@ -29,6 +29,9 @@ namespace
 {
 using camaron::PanelTable;
 
+// Eight rows; the names, in lines of 20 characters, take what the values leave.
+constexpr camaron::TableShape WideNames{ 8, 0, 20 };
+
 //------------------------------------------------------------------------------
 // Such as "intersecting edges".
 QString SpellStatus(qint64 status, const pqMeshQuestions& questions)
@@ -97,21 +100,13 @@ QString SpellValue(const PanelTable& table, int row)
 pqElementCard::pqElementCard(pqInspectorState* state, QWidget* parent)
   : Superclass("Element", tr("Element"), false, state, parent)
   , Id(new QLineEdit(this->content()))
-  , Copy(camaron::MakeTool(this->content(), "CopyIds",
-      tr("Copy the ids of the element and its "
-         "neighbors")))
-  , Select(camaron::MakeTool(this->content(), "SelectCell", tr("Select this element")))
   , Summary(camaron::MakeText(this->content(), "Summary"))
   , Values(new pqTableModel(
       { pqTableModel::ShowColumn(tr("Criterion"), "Label", false), { tr("Value"), SpellValue } },
       this))
-  , Table(nullptr)
+  , Table(camaron::MakeTable(this->content(), "Values", this->Values, WideNames))
   , Neighbors(camaron::MakeText(this->content(), "Neighbors", true))
 {
-  camaron::TableShape shape;
-  shape.Rows = 8;
-  shape.Characters = 20;
-  this->Table = camaron::MakeTable(this->content(), "Values", this->Values, shape);
   this->Values->setRowColor(
     [this](const PanelTable& table, int row)
     {
@@ -123,11 +118,17 @@ pqElementCard::pqElementCard(pqInspectorState* state, QWidget* parent)
   this->Id->setPlaceholderText(tr("Id"));
   this->Id->setValidator(
     new QRegularExpressionValidator(QRegularExpression("\\s*-?\\d{1,19}\\s*"), this->Id));
-  auto* tools = new QHBoxLayout;
+  QHBoxLayout* tools = this->addRow();
   tools->addWidget(this->Id);
-  tools->addWidget(this->Select);
-  tools->addWidget(this->Copy);
-  this->contentLayout()->addLayout(tools);
+  this->Select = this->addTool(tools, "SelectCell", tr("Select this element"),
+    [this]
+    {
+      this->selection()->selectBy(
+        "By id", { { "Ids", this->Wanted }, { "IdSpace", this->IdSpace } });
+    });
+  this->Copy =
+    this->addTool(tools, "CopyIds", tr("Copy the ids of the element and its neighbors"), [this]
+      { QApplication::clipboard()->setText(this->Wanted + ' ' + this->NeighborIds.join(' ')); });
   this->contentLayout()->addWidget(this->Summary);
   this->contentLayout()->addWidget(this->Table);
   this->contentLayout()->addWidget(this->Neighbors);
@@ -137,14 +138,6 @@ pqElementCard::pqElementCard(pqInspectorState* state, QWidget* parent)
     this->selection(), &pqMeshSelection::elementPicked, this, &pqElementCard::showPicked);
   QObject::connect(this->Neighbors, &QLabel::linkActivated, this, [this](const QString& id)
     { this->state()->showElement(id.toLongLong(), this->mesh()->idSpace()); });
-  QObject::connect(this->Select, &QToolButton::clicked, this,
-    [this]
-    {
-      this->selection()->selectBy(
-        "By id", { { "Ids", this->Wanted }, { "IdSpace", this->IdSpace } });
-    });
-  QObject::connect(this->Copy, &QToolButton::clicked, this, [this]
-    { QApplication::clipboard()->setText(this->Wanted + ' ' + this->NeighborIds.join(' ')); });
 }
 
 //------------------------------------------------------------------------------

@@ -37,15 +37,6 @@ pqHistogramCard::pqHistogramCard(pqInspectorState* state, QWidget* parent)
   , Criterion(new QComboBox(this->content()))
   , Group(new QComboBox(this->content()))
   , Bins(new QSpinBox(this->content()))
-  , LogValues(camaron::MakeTool(this->content(), "LogValues", tr("Logarithmic axis of values")))
-  , LogCounts(camaron::MakeTool(this->content(), "LogCounts",
-      tr("Logarithmic axis of counts. Groups are lines at their own counts, because heights do not "
-         "add up on it.")))
-  , Cumulative(camaron::MakeTool(this->content(), "Cumulative", tr("Cumulative curve")))
-  , Outline(
-      camaron::MakeTool(this->content(), "Outline", tr("Outline of another mesh behind the bars")))
-  , CopyRule(camaron::MakeTool(this->content(), "CopyRule",
-      tr("Copy the range as a rule for `camaron check`, and add it to the Check card")))
   , Plot(new pqHistogramPlot(this->content()))
   , Limits(new pqLimitFields(this->content()))
   , Verdict(camaron::MakeText(this->content(), "Verdict", true))

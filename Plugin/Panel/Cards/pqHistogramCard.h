@@ -68,9 +68,6 @@ private:
   QComboBox* Criterion;
   QComboBox* Group;
   QSpinBox* Bins;
-  QToolButton* LogValues;
-  QToolButton* LogCounts;
-  QToolButton* Cumulative;
   QToolButton* Outline;
   QToolButton* CopyRule;
   pqHistogramPlot* Plot;

@@ -19,7 +19,7 @@
 //------------------------------------------------------------------------------
 void pqHistogramCard::makeToolBar()
 {
-  auto* choices = new QHBoxLayout;
+  QHBoxLayout* choices = this->addRow();
   choices->addWidget(this->Criterion, 2);
   choices->addWidget(this->Group, 1);
   this->Criterion->setObjectName("Criterion");
@@ -31,20 +31,25 @@ void pqHistogramCard::makeToolBar()
     box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     box->setMinimumContentsLength(8);
   }
-  this->contentLayout()->addLayout(choices);
 
-  auto* tools = new QHBoxLayout;
-  for (QToolButton* tool : { this->LogValues, this->LogCounts, this->Cumulative })
+  QHBoxLayout* tools = this->addRow();
+  QToolButton* logValues = this->addTool(tools, "LogValues", tr("Logarithmic axis of values"));
+  QToolButton* logCounts = this->addTool(tools, "LogCounts",
+    tr("Logarithmic axis of counts. Groups are lines at their own counts, because heights do not "
+       "add "
+       "up on it."));
+  QToolButton* cumulative = this->addTool(tools, "Cumulative", tr("Cumulative curve"));
+  for (QToolButton* tool : { logValues, logCounts, cumulative })
   {
     tool->setCheckable(true);
-    tools->addWidget(tool);
   }
-  tools->addWidget(this->Outline);
-  tools->addWidget(this->CopyRule);
+  this->Outline = this->addTool(tools, "Outline", tr("Outline of another mesh behind the bars"));
+  this->CopyRule = this->addTool(tools, "CopyRule",
+    tr("Copy the range as a rule for `camaron check`, and add it to the Check card"),
+    [this] { this->copyRule(); });
   tools->addStretch();
   tools->addWidget(new QLabel(tr("Bins"), this->content()));
   tools->addWidget(this->Bins);
-  this->contentLayout()->addLayout(tools);
   constexpr int maximum = 1000;
   this->Bins->setObjectName("Bins");
   this->Bins->setRange(1, maximum);
@@ -54,9 +59,9 @@ void pqHistogramCard::makeToolBar()
   this->Outline->setPopupMode(QToolButton::InstantPopup);
   this->Outline->setMenu(new QMenu(this->Outline));
 
-  QObject::connect(this->Criterion, QOverload<int>::of(&QComboBox::currentIndexChanged), this,
+  QObject::connect(this->Criterion, &QComboBox::currentIndexChanged, this,
     [this] { this->state()->chooseCriterion(this->Criterion->currentData().toString()); });
-  QObject::connect(this->Group, QOverload<int>::of(&QComboBox::currentIndexChanged), this,
+  QObject::connect(this->Group, &QComboBox::currentIndexChanged, this,
     [this]
     {
       const QStringList chosen = this->Group->currentData().toStringList();
@@ -64,13 +69,13 @@ void pqHistogramCard::makeToolBar()
       this->Request.GroupArray = chosen.value(1);
       this->showDistribution();
     });
-  QObject::connect(this->Bins, QOverload<int>::of(&QSpinBox::valueChanged), this,
+  QObject::connect(this->Bins, &QSpinBox::valueChanged, this,
     [this](int bins)
     {
       this->Request.Bins = bins;
       this->showDistribution();
     });
-  QObject::connect(this->LogValues, &QToolButton::toggled, this,
+  QObject::connect(logValues, &QToolButton::toggled, this,
     [this](bool on)
     {
       this->Request.Logarithmic = on;
@@ -78,12 +83,10 @@ void pqHistogramCard::makeToolBar()
       this->showDistribution();
     });
   QObject::connect(
-    this->LogCounts, &QToolButton::toggled, this->Plot, &pqHistogramPlot::setLogarithmicCounts);
-  QObject::connect(
-    this->Cumulative, &QToolButton::toggled, this->Plot, &pqHistogramPlot::setCumulative);
+    logCounts, &QToolButton::toggled, this->Plot, &pqHistogramPlot::setLogarithmicCounts);
+  QObject::connect(cumulative, &QToolButton::toggled, this->Plot, &pqHistogramPlot::setCumulative);
   QObject::connect(
     this->Outline->menu(), &QMenu::aboutToShow, this, &pqHistogramCard::fillOutlines);
-  QObject::connect(this->CopyRule, &QToolButton::clicked, this, &pqHistogramCard::copyRule);
 }
 
 //------------------------------------------------------------------------------

@@ -17,6 +17,7 @@
 #include <QKeyEvent>
 #include <QPushButton>
 #include <QScrollArea>
+#include <QToolButton>
 #include <QVBoxLayout>
 
 //------------------------------------------------------------------------------
@@ -90,6 +91,35 @@ pqMeshSelection* pqInspectorCard::selection() const
 pqMeshDisplay* pqInspectorCard::display() const
 {
   return this->State->services().Display;
+}
+
+//------------------------------------------------------------------------------
+QHBoxLayout* pqInspectorCard::addRow()
+{
+  auto* row = new QHBoxLayout;
+  this->Layout->addLayout(row);
+  return row;
+}
+
+//------------------------------------------------------------------------------
+QToolButton* pqInspectorCard::addTool(
+  QHBoxLayout* row, const char* name, const QString& tip, const std::function<void()>& click)
+{
+  QToolButton* tool = camaron::MakeTool(this->Content, name, tip);
+  for (int place = row->count() - 1; place >= 0; --place)
+  {
+    if (QWidget* before = row->itemAt(place)->widget())
+    { // Tab goes from left to right, whenever a tool is created
+      QWidget::setTabOrder(before, tool);
+      break;
+    }
+  }
+  row->addWidget(tool);
+  if (click)
+  {
+    QObject::connect(tool, &QToolButton::clicked, this, click);
+  }
+  return tool;
 }
 
 //------------------------------------------------------------------------------

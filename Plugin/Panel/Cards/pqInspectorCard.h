@@ -16,6 +16,8 @@
 
 #include <QWidget>
 
+#include <functional> // for clicks
+
 class pqExpanderButton;
 class pqInspectedMesh;
 class pqInspectorState;
@@ -24,7 +26,9 @@ class pqMeshFilters;
 class pqMeshQuestions;
 class pqMeshSelection;
 class QComboBox;
+class QHBoxLayout;
 class QPushButton;
+class QToolButton;
 class QVBoxLayout;
 
 class pqInspectorCard : public QWidget
@@ -83,6 +87,13 @@ protected:
   QWidget* content() const { return this->Content; }
   QVBoxLayout* contentLayout() const { return this->Layout; }
   ///@}
+
+  /// A row at the end of the content.
+  QHBoxLayout* addRow();
+
+  /// camaron::MakeTool at the end of a row, with what a click does.
+  QToolButton* addTool(QHBoxLayout* row, const char* name, const QString& tip,
+    const std::function<void()>& click = {});
 
   void changeEvent(QEvent* event) override;
   void showEvent(QShowEvent* event) override;

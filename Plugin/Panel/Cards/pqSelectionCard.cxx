@@ -73,28 +73,23 @@ pqSelectionCard::pqSelectionCard(pqInspectorState* state, QWidget* parent)
 //------------------------------------------------------------------------------
 void pqSelectionCard::makeTools()
 {
-  auto* tools = new QHBoxLayout;
-  const auto addTool = [&](const char* name, const QString& tip, const auto& action)
+  QHBoxLayout* tools = this->addRow();
+  const auto addStep = [&](const char* name, const QString& tip, const auto& select)
   {
-    QToolButton* tool = camaron::MakeTool(this->content(), name, tip);
-    QObject::connect(tool, &QToolButton::clicked, this,
-      [action]
+    this->OfSelection << this->addTool(tools, name, tip,
+      [select]
       {
         const pqScopedOverrideCursor waiting(Qt::WaitCursor);
-        action();
+        select();
       });
-    tools->addWidget(tool);
-    return tool;
   };
   const auto addLayer = [this](const char* strategy)
   {
     this->selection()->selectBy(
       strategy, { { "Adjacency", this->Adjacency->currentData() }, { "NumberOfLayers", 1 } });
   };
-  this->OfSelection << addTool(
-    "Grow", tr("Grow the selection by a layer of neighbors"), [=] { addLayer("Expand"); });
-  this->OfSelection << addTool(
-    "Shrink", tr("Remove the outer layer of the selection"), [=] { addLayer("Shrink"); });
+  addStep("Grow", tr("Grow the selection by a layer of neighbors"), [=] { addLayer("Expand"); });
+  addStep("Shrink", tr("Remove the outer layer of the selection"), [=] { addLayer("Shrink"); });
   this->Adjacency->setObjectName("Adjacency");
   this->Adjacency->addItem(tr("across faces"), "Face");
   this->Adjacency->addItem(tr("across edges"), "Edge");
@@ -103,25 +98,22 @@ void pqSelectionCard::makeTools()
     tr("Elements that are neighbors for growing and shrinking; cells of surfaces are "
        "neighbors across edges instead of faces"));
   tools->addWidget(this->Adjacency);
-  this->OfSelection << addTool("Connected", tr("Everything connected to the selection"),
+  addStep("Connected", tr("Everything connected to the selection"),
     [this]
     {
       this->selection()->selectBy("Connected", { { "Adjacency", this->Adjacency->currentData() } });
     });
-  this->OfSelection << addTool(
+  addStep(
     "Invert", tr("Invert the selection"), [this] { this->selection()->selectBy("Invert", {}); });
-  this->OfSelection << addTool(
-    "ClearSelection", tr("Clear the selection"), [this] { this->selection()->clear(); });
+  addStep("ClearSelection", tr("Clear the selection"), [this] { this->selection()->clear(); });
   tools->addStretch();
-  QToolButton* history = camaron::MakeTool(
-    this->content(), "History", tr("Earlier selections: brushes, steps and those in views"));
+  QToolButton* history =
+    this->addTool(tools, "History", tr("Earlier selections: brushes, steps and those in views"));
   history->setMenu(this->History);
   history->setPopupMode(QToolButton::InstantPopup);
-  tools->addWidget(history);
   QObject::connect(this->History, &QMenu::aboutToShow, this, &pqSelectionCard::fillHistory);
-  this->contentLayout()->addLayout(tools);
 
-  auto* more = new QHBoxLayout;
+  QHBoxLayout* more = this->addRow();
   this->WorstPercent->setObjectName("WorstPercent");
   constexpr double most = 100;
   this->WorstPercent->setRange(0, most);
@@ -131,26 +123,17 @@ void pqSelectionCard::makeTools()
   this->WorstPercent->setToolTip(tr("Percentage of the elements with the worst values of the "
                                     "current criterion"));
   more->addWidget(this->WorstPercent);
-  this->SelectWorst = camaron::MakeTool(
-    this->content(), "SelectWorst", tr("Select the worst elements by the current criterion"));
-  QObject::connect(this->SelectWorst, &QToolButton::clicked, this, &pqSelectionCard::selectWorst);
-  more->addWidget(this->SelectWorst);
-  QToolButton* status =
-    camaron::MakeTool(this->content(), "SelectStatus", tr("Select cells with a defect"));
+  this->SelectWorst = this->addTool(more, "SelectWorst",
+    tr("Select the worst elements by the current criterion"), [this] { this->selectWorst(); });
+  QToolButton* status = this->addTool(more, "SelectStatus", tr("Select cells with a defect"));
   status->setMenu(this->Status);
   status->setPopupMode(QToolButton::InstantPopup);
-  more->addWidget(status);
   more->addStretch();
-  QToolButton* table = camaron::MakeTool(
-    this->content(), "ExportTable", tr("Export the selected elements as a table or a mesh"));
-  QToolButton* ids = camaron::MakeTool(
-    this->content(), "ExportIds", tr("Export the ids: a list, or an OpenFOAM set"));
-  QObject::connect(table, &QToolButton::clicked, this, [this] { this->exportSelection(true); });
-  QObject::connect(ids, &QToolButton::clicked, this, [this] { this->exportSelection(false); });
-  more->addWidget(table);
-  more->addWidget(ids);
-  this->OfSelection << table << ids;
-  this->contentLayout()->addLayout(more);
+  this->OfSelection << this->addTool(more, "ExportTable",
+    tr("Export the selected elements as a table or a mesh"),
+    [this] { this->exportSelection(true); });
+  this->OfSelection << this->addTool(more, "ExportIds",
+    tr("Export the ids: a list, or an OpenFOAM set"), [this] { this->exportSelection(false); });
 }
 
 //------------------------------------------------------------------------------

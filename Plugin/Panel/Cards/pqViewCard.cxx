@@ -98,12 +98,11 @@ void pqViewCard::makeCut()
   this->CutShape->setPlaceholderText(
     tr("Half-spaces")); // around a cell, or of the Properties panel
   this->CutShape->setToolTip(tr("Shape of the cut; its widget is in the Properties panel"));
-  auto* layout = new QHBoxLayout;
+  QHBoxLayout* layout = this->addRow();
   layout->addWidget(new QLabel(tr("Cut by"), this->content()));
   layout->addWidget(this->CutBy, 2);
   layout->addWidget(this->CutShape, 1);
-  this->contentLayout()->addLayout(layout);
-  QObject::connect(this->CutBy, QOverload<int>::of(&QComboBox::currentIndexChanged), this,
+  QObject::connect(this->CutBy, &QComboBox::currentIndexChanged, this,
     [this](int way)
     {
       const pqScopedUndoSet undo(tr("Change Cut"));
@@ -115,69 +114,58 @@ void pqViewCard::makeCut()
         this->cutAnew();
       }
     });
-  QObject::connect(this->CutShape, QOverload<int>::of(&QComboBox::currentIndexChanged), this,
-    &pqViewCard::cutAnew);
+  QObject::connect(this->CutShape, &QComboBox::currentIndexChanged, this, &pqViewCard::cutAnew);
 }
 
 //------------------------------------------------------------------------------
-QSlider* pqViewCard::addSlider(const char* name, const QString& label, const QString& tip,
-  const std::function<QString(double share)>& spell, const QList<QToolButton*>& tools)
+QSlider* pqViewCard::addSlider(QHBoxLayout* row, const char* name, const QString& label,
+  const QString& tip, const std::function<QString(double share)>& spell)
 {
   auto* slider = new QSlider(Qt::Horizontal, this->content());
   slider->setObjectName(name);
   slider->setRange(0, SliderSteps);
   slider->setToolTip(tip);
   slider->setAccessibleName(label);
-  auto* layout = new QHBoxLayout;
   auto* text = new QLabel(label, this->content());
   text->setMinimumWidth(text->fontMetrics().horizontalAdvance(tr("Isosurface ")));
-  layout->addWidget(text);
-  layout->addWidget(slider, 1);
+  row->addWidget(text);
+  row->addWidget(slider, 1);
   auto* value = new QLabel(this->content());
   value->setObjectName(QString(name) + "Value");
   value->setMinimumWidth(value->fontMetrics().horizontalAdvance("-0.000"));
-  layout->addWidget(value);
+  row->addWidget(value);
   this->Spellings << [=] { value->setText(spell(double(slider->value()) / SliderSteps)); };
   QObject::connect(slider, &QSlider::valueChanged, value, this->Spellings.back());
-  for (QToolButton* tool : tools)
-  {
-    layout->addWidget(tool);
-  }
-  this->contentLayout()->addLayout(layout);
   return slider;
 }
 
 //------------------------------------------------------------------------------
 void pqViewCard::makeSliders()
 {
+  QHBoxLayout* row = this->addRow();
+  this->CutPosition = this->addSlider(row, "CutPosition", tr("Cut"),
+    tr("Position or size of the cut"), [this](double) { return this->spellCut(); });
   const char* const names[] = { "CutX", "CutY", "CutZ" };
   for (int axis = 0; axis < 3; ++axis)
   {
     const QString letter = QString("XYZ").mid(axis, 1);
-    QToolButton* tool = camaron::MakeTool(
-      this->content(), names[axis], tr("Cut by a plane perpendicular to the %1 axis").arg(letter));
-    tool->setText(letter);
-    QObject::connect(tool, &QToolButton::clicked, this, [this, axis] { this->cutAcross(axis); });
-    this->Axes << tool;
+    this->Axes << this->addTool(row, names[axis],
+      tr("Cut by a plane perpendicular to the %1 axis").arg(letter),
+      [this, axis] { this->cutAcross(axis); });
+    this->Axes.back()->setText(letter);
   }
-  QList<QToolButton*> tools = this->Axes;
-  this->Flip = camaron::MakeTool(this->content(), "Flip", tr("Keep the other side of the cut"));
-  QObject::connect(this->Flip, &QToolButton::clicked, this, [this]
+  this->Flip = this->addTool(row, "Flip", tr("Keep the other side of the cut"), [this]
     { this->display()->set({ { "CutKeeps", 1 - this->display()->value("CutKeeps").toInt() } }); });
-  this->Handles =
-    camaron::MakeTool(this->content(), "Handles", tr("Handles of the cut in the view"));
+  this->Handles = this->addTool(row, "Handles", tr("Handles of the cut in the view"),
+    [this] { this->display()->set({ { "CutHandles", this->Handles->isChecked() ? 1 : 0 } }); });
   this->Handles->setCheckable(true);
-  QObject::connect(this->Handles, &QToolButton::clicked, this,
-    [this](bool on) { this->display()->set({ { "CutHandles", on ? 1 : 0 } }); });
-  tools << this->Flip << this->Handles;
-  this->CutPosition = this->addSlider(
-    "CutPosition", tr("Cut"), tr("Position or size of the cut"),
-    [this](double) { return this->spellCut(); }, tools);
-  this->Shrink = this->addSlider("Shrink", tr("Shrink"), tr("Shrinks each cell toward its center"),
+  this->Shrink = this->addSlider(this->addRow(), "Shrink", tr("Shrink"),
+    tr("Shrinks each cell toward its center"),
     [](double share) { return camaron::FormatPercent(share, 1); });
-  this->Explode = this->addSlider("Explode", tr("Explode"), tr("Moves the cells apart"),
-    [](double share) { return camaron::ShortNumber(MostExploded * share, Digits); });
-  this->Isosurface = this->addSlider("Isosurface", tr("Isosurface"),
+  this->Explode =
+    this->addSlider(this->addRow(), "Explode", tr("Explode"), tr("Moves the cells apart"),
+      [](double share) { return camaron::ShortNumber(MostExploded * share, Digits); });
+  this->Isosurface = this->addSlider(this->addRow(), "Isosurface", tr("Isosurface"),
     tr("Value of the isosurface within the range of its array"),
     [this](double share)
     {

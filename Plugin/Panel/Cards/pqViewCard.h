@@ -43,8 +43,8 @@ private:
   void makeCut();
   void makeSliders();
   /// `spell` returns the value at a share of the slider's range.
-  QSlider* addSlider(const char* name, const QString& label, const QString& tip,
-    const std::function<QString(double share)>& spell, const QList<QToolButton*>& tools = {});
+  QSlider* addSlider(QHBoxLayout* row, const char* name, const QString& label, const QString& tip,
+    const std::function<QString(double share)>& spell);
 
   using Properties = QMap<QString, QVariant>;
   /// Sets properties of Mesh Inspection for the position of the slider, as one undoable step.

@@ -35,6 +35,9 @@ namespace
 {
 using camaron::PanelTable;
 
+// Six rows; column 4, the centers, takes what the others leave.
+constexpr camaron::TableShape WideCenters{ 6, 4 };
+
 //------------------------------------------------------------------------------
 QString SpellCenter(const PanelTable& table, int row)
 {
@@ -79,16 +82,6 @@ pqWorstCard::pqWorstCard(pqInspectorState* state, QWidget* parent)
   : Superclass("Worst", tr("Worst"), true, state, parent)
   , Rows(new QComboBox(this->content()))
   , Number(new QSpinBox(this->content()))
-  , Previous(camaron::MakeTool(this->content(), "Previous", tr("Previous (P)")))
-  , Next(camaron::MakeTool(this->content(), "Next", tr("Next (N)")))
-  , Open(camaron::MakeTool(this->content(), "OpenMesh",
-      tr("Open the mesh around the element: its neighbors with edges, everything else as glass "
-         "(O)")))
-  , Select(camaron::MakeTool(this->content(), "SelectListed", tr("Select what is listed (S)")))
-  , Show(camaron::MakeTool(this->content(), "ShowListed",
-      tr("Select everything listed, and draw only this, inside the glass shell of the mesh (A)")))
-  , Back(camaron::MakeTool(
-      this->content(), "Back", tr("Back: restore camera and display as they were before (B)")))
   , Cells(new pqTableModel(
       { pqTableModel::ShowColumn(tr("#"), "Rank"), pqTableModel::ShowColumn(tr("Id"), "Id"),
         pqTableModel::ShowColumn(tr("Value"), "Value"), { tr("Type"), SpellType, false },
@@ -100,24 +93,25 @@ pqWorstCard::pqWorstCard(pqInspectorState* state, QWidget* parent)
         pqTableModel::ShowColumn(tr("Id"), "WorstId"), { tr("Center"), SpellCenter, false },
         { tr("Size"), SpellSize } },
       this))
-  , CellTable(nullptr)
-  , PlaceTable(nullptr)
+  , CellTable(camaron::MakeTable(this->content(), "Cells", this->Cells, WideCenters))
+  , PlaceTable(camaron::MakeTable(this->content(), "Places", this->Places, WideCenters))
   , Summary(camaron::MakeText(this->content(), "Summary"))
 {
-  constexpr int most = 1000, usual = 20;
-  camaron::TableShape shape;
-  shape.WideColumn = 4; // the centers
-  this->CellTable = camaron::MakeTable(this->content(), "Cells", this->Cells, shape);
-  this->PlaceTable = camaron::MakeTable(this->content(), "Places", this->Places, shape);
-  auto* tools = new QHBoxLayout;
+  QHBoxLayout* tools = this->addRow();
   tools->addWidget(this->Rows);
   tools->addWidget(this->Number);
   tools->addStretch();
-  for (QToolButton* tool :
-    { this->Previous, this->Next, this->Open, this->Show, this->Back, this->Select })
-  {
-    tools->addWidget(tool);
-  }
+  this->OfRows << this->addTool(tools, "Previous", tr("Previous (P)"), [this] { this->step(-1); });
+  this->OfRows << this->addTool(tools, "Next", tr("Next (N)"), [this] { this->step(1); });
+  this->Open = this->addTool(tools, "OpenMesh",
+    tr("Open the mesh around the element: its neighbors with edges, everything else as glass (O)"));
+  this->OfRows << this->addTool(tools, "ShowListed",
+    tr("Select everything listed, and draw only this, inside the glass shell of the mesh (A)"),
+    [this] { this->showListed(); });
+  this->Back = this->addTool(tools, "Back",
+    tr("Back: restore camera and display as they were before (B)"), [this] { this->goBack(); });
+  this->OfRows << this->addTool(
+    tools, "SelectListed", tr("Select what is listed (S)"), [this] { this->selectListed(); });
   this->Cells->setRowColor(
     [this](const PanelTable& table, int row)
     {
@@ -133,11 +127,11 @@ pqWorstCard::pqWorstCard(pqInspectorState* state, QWidget* parent)
   this->Rows->setItemData(
     1, tr("Connected groups of elements outside the limits"), Qt::ToolTipRole);
   this->Number->setObjectName("Number");
+  constexpr int most = 1000, usual = 20;
   this->Number->setRange(1, most);
   this->Number->setValue(usual);
   this->Number->setKeyboardTracking(false);
   this->Number->setToolTip(tr("Number of rows"));
-  this->contentLayout()->addLayout(tools);
   this->contentLayout()->addWidget(this->CellTable);
   this->contentLayout()->addWidget(this->PlaceTable);
   this->contentLayout()->addWidget(this->Summary);
@@ -146,16 +140,12 @@ pqWorstCard::pqWorstCard(pqInspectorState* state, QWidget* parent)
   for (QTableView* table : { this->CellTable, this->PlaceTable })
   {
     table->installEventFilter(this);
-    QObject::connect(table, &QTableView::clicked, this,
-      [this](const QModelIndex& index) { this->goToRow(index.row()); });
-    QObject::connect(table, &QTableView::activated, this,
-      [this](const QModelIndex& index) { this->goToRow(index.row()); });
+    for (const auto signal : { &QTableView::clicked, &QTableView::activated })
+    {
+      QObject::connect(
+        table, signal, this, [this](const QModelIndex& index) { this->goToRow(index.row()); });
+    }
   }
-  QObject::connect(this->Previous, &QToolButton::clicked, this, [this] { this->step(-1); });
-  QObject::connect(this->Next, &QToolButton::clicked, this, [this] { this->step(1); });
-  QObject::connect(this->Back, &QToolButton::clicked, this, &pqWorstCard::goBack);
-  QObject::connect(this->Select, &QToolButton::clicked, this, &pqWorstCard::selectListed);
-  QObject::connect(this->Show, &QToolButton::clicked, this, &pqWorstCard::showListed);
   QObject::connect(this->Open, &QToolButton::toggled, this,
     [this]
     {
@@ -167,10 +157,9 @@ pqWorstCard::pqWorstCard(pqInspectorState* state, QWidget* parent)
     });
   QObject::connect(
     this->display(), &pqMeshDisplay::displayChanged, this, &pqWorstCard::refreshBack);
-  QObject::connect(this->Rows, QOverload<int>::of(&QComboBox::currentIndexChanged), this,
-    &pqWorstCard::refreshWhenVisible);
-  QObject::connect(this->Number, QOverload<int>::of(&QSpinBox::valueChanged), this,
-    &pqWorstCard::refreshWhenVisible);
+  QObject::connect(
+    this->Rows, &QComboBox::currentIndexChanged, this, &pqWorstCard::refreshWhenVisible);
+  QObject::connect(this->Number, &QSpinBox::valueChanged, this, &pqWorstCard::refreshWhenVisible);
   QObject::connect(
     state, &pqInspectorState::criterionChanged, this, &pqWorstCard::refreshWhenVisible);
   QObject::connect(
@@ -234,7 +223,7 @@ void pqWorstCard::refresh()
   this->CellTable->setVisible(!this->showsPlaces());
   this->PlaceTable->setVisible(this->showsPlaces());
   this->refreshBack();
-  for (QToolButton* tool : { this->Previous, this->Next, this->Select, this->Show })
+  for (QToolButton* tool : std::as_const(this->OfRows))
   {
     camaron::SetEnabled(tool, !table.isEmpty(), tr("Nothing is listed."));
   }

@@ -54,12 +54,9 @@ private:
 
   QComboBox* Rows;
   QSpinBox* Number;
-  QToolButton* Previous;
-  QToolButton* Next;
   QToolButton* Open;
-  QToolButton* Select;
-  QToolButton* Show;
   QToolButton* Back;
+  QList<QToolButton*> OfRows; ///< tools that need listed ones
   pqTableModel* Cells;
   pqTableModel* Places;
   QTableView* CellTable;
