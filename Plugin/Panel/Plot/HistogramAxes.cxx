@@ -22,17 +22,14 @@ constexpr double MinorTickLength = 2;
 constexpr double LabelGap = 5; // between an axis and its labels
 constexpr double TextGap = 4;  // between a handle and its number
 
-class AxesPainter
+struct AxesPainter
 {
   Q_DECLARE_TR_FUNCTIONS(pqHistogramPlot)
 
 public:
-  AxesPainter(QPainter* painter, const HistogramScene& scene, const PlotColors& colors)
-    : Painter(painter)
-    , Scene(scene)
-    , Colors(colors)
-  {
-  }
+  QPainter* Painter;
+  const HistogramScene& Scene;
+  const PlotColors& Colors;
 
   void PaintCountAxis()
   {
@@ -189,7 +186,6 @@ public:
     }
   }
 
-private:
   void PaintHandle(LimitHandle handle)
   {
     const QRectF& plot = this->Scene.Plot;
@@ -244,10 +240,6 @@ private:
     this->Painter->setPen(color);
     this->Painter->drawText(box, flags | Qt::TextDontClip, text);
   }
-
-  QPainter* Painter;
-  const HistogramScene& Scene;
-  const PlotColors& Colors;
 };
 }
 
@@ -268,7 +260,7 @@ void PaintGrid(QPainter* painter, const HistogramScene& scene, const PlotColors&
 //------------------------------------------------------------------------------
 void PaintAxes(QPainter* painter, const HistogramScene& scene, const PlotColors& colors)
 {
-  AxesPainter axes(painter, scene, colors);
+  AxesPainter axes{ painter, scene, colors };
   axes.PaintCountAxis();
   axes.PaintPercentAxis();
   axes.PaintValueAxis();

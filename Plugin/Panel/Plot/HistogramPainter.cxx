@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
 namespace camaron
 {
@@ -49,15 +48,11 @@ QRectF MakeBox(double left, double top, double right, double bottom)
   return QRectF(QPointF(left, top), QPointF(right, bottom));
 }
 
-class BarsPainter
+struct BarsPainter
 {
-public:
-  BarsPainter(QPainter* painter, const HistogramScene& scene, const PlotColors& colors)
-    : Painter(painter)
-    , Scene(scene)
-    , Colors(colors)
-  {
-  }
+  QPainter* Painter;
+  const HistogramScene& Scene;
+  const PlotColors& Colors;
 
   void PaintShades()
   {
@@ -223,7 +218,6 @@ public:
     }
   }
 
-private:
   // As many elements of a bar, at its bottom.
   void PaintPart(int column, const QRectF& bar, double count, bool isFaded)
   {
@@ -377,10 +371,6 @@ private:
       : beyond.Value == 0      ? this->Colors.Good
                                : this->Colors.Bar;
   }
-
-  QPainter* Painter;
-  const HistogramScene& Scene;
-  const PlotColors& Colors;
 };
 }
 
@@ -399,7 +389,7 @@ void PaintHistogram(QPainter* painter, const HistogramScene& scene, const QPalet
       Qt::AlignCenter | Qt::TextWordWrap, scene.EmptyText);
     return;
   }
-  BarsPainter bars(painter, scene, colors);
+  BarsPainter bars{ painter, scene, colors };
   bars.PaintShades();
   bars.PaintColumnMarks();
   PaintGrid(painter, scene, colors);
@@ -429,41 +419,33 @@ void PaintSmallHistogram(QPainter* painter, const QRect& rect, const HistogramDa
   }
   painter->fillRect(
     QRectF(rect.left(), rect.bottom(), rect.width(), 1), colors.GetFaded(colors.Axis));
-  const bool isOfSelection = !data.Selected.Counts.empty();
-  const auto paintBars = [&](const std::function<qint64(int)>& countInBin, bool isFaded)
+  const double width = static_cast<double>(plot.width()) / columns;
+  const double bottom = rect.top() + rect.height();
+  const auto paintBars = [&](const auto& countInColumn, bool isFaded)
   {
-    for (int column = 0; column < columns; ++column)
-    {
-      const int first = column * bins / columns, last = (column + 1) * bins / columns;
-      for (const QColor& color : { colors.Bar, colors.Good, colors.Bad })
+    for (const QColor& color : { colors.Bar, colors.Good, colors.Bad })
+    { // bad ones in front of others at the same pixels
+      for (int bin = 0; bin < bins; ++bin)
       {
-        qint64 count = 0;
-        for (int bin = first; bin < last; ++bin)
-        {
-          const double middle = data.Edges[bin] / 2 + data.Edges[bin + 1] / 2;
-          if (colors.GetJudged(middle, acceptableLow, acceptableHigh) == color)
-          {
-            count = std::max(count, countInBin(bin));
-          }
-        }
-        if (count > 0)
+        const double middle = data.Edges[bin] / 2 + data.Edges[bin + 1] / 2;
+        const qint64 count = countInColumn(data.GetColumnOfBin(bin));
+        if (count > 0 && colors.GetJudged(middle, acceptableLow, acceptableHigh) == color)
         {
           constexpr double lowest = 2;
-          const double height = std::max(
-            rect.height() * (static_cast<double>(count) / static_cast<double>(most)), lowest);
-          const double width = static_cast<double>(plot.width()) / columns;
-          const double left = plot.left() + width * column, right = left + width;
-          const double bottom = rect.top() + rect.height();
-          painter->fillRect(QRectF(QPointF(left, bottom - height), QPointF(right, bottom)),
-            isFaded ? colors.GetFaded(color) : color);
+          const double share = static_cast<double>(count) / static_cast<double>(most);
+          const double top = bottom - std::max(rect.height() * share, lowest);
+          const double left = plot.left() + width * (((bin + 1) * columns - 1) / bins);
+          painter->fillRect(
+            MakeBox(left, top, left + width, bottom), isFaded ? colors.GetFaded(color) : color);
         }
       }
     }
   };
-  paintBars([&](int bin) { return data.GetCount(data.GetColumnOfBin(bin)); }, isOfSelection);
+  const bool isOfSelection = !data.Selected.Counts.empty();
+  paintBars([&](int column) { return data.GetCount(column); }, isOfSelection);
   if (isOfSelection)
   {
-    paintBars([&](int bin) { return data.Selected.Counts[data.GetColumnOfBin(bin)]; }, false);
+    paintBars([&](int column) { return data.Selected.Counts[column]; }, false);
   }
 }
 }
