@@ -240,10 +240,6 @@ void MAPDLMesh::ForEachCell(const Batch& batch, Finding& finding, VisitCell visi
         if (elementClass == MAPDLClass::Unknown && cell.Type == VTK_EMPTY_CELL)
         {
           ++finding.Unknown[number];
-          if (this->Options.UnknownAsPoints)
-          {
-            this->MakePoints(element, cell);
-          }
         }
         finding.Undefined += elementClass == MAPDLClass::Undefined;
         finding.WithoutNodes += element.NumberOfNodes == 0;
@@ -256,19 +252,6 @@ void MAPDLMesh::ForEachCell(const Batch& batch, Finding& finding, VisitCell visi
       visit(row, next++, element, cell, finding.Missing.size() == missing);
       return true;
     });
-}
-
-//------------------------------------------------------------------------------
-void MAPDLMesh::MakePoints(const MAPDLElement& element, MAPDLCell& cell) const
-{
-  for (std::int32_t i = 0; i < element.NumberOfNodes; ++i)
-  {
-    if (element.Nodes[i] != 0)
-    {
-      cell.Nodes[cell.Size++] = element.Nodes[i];
-    }
-  }
-  cell.Type = cell.Size == 0 ? VTK_EMPTY_CELL : cell.Size == 1 ? VTK_VERTEX : VTK_POLY_VERTEX;
 }
 
 //------------------------------------------------------------------------------

@@ -110,7 +110,6 @@ private:
   bool ForEachNode(bool withIds, const Progress& progress, VisitNode visit);
   void ForEachElement(const Batch& batch, MAPDLFault& fault, VisitElement visit) const;
   void ForEachCell(const Batch& batch, Finding& finding, VisitCell visit) const;
-  void MakePoints(const MAPDLElement& element, MAPDLCell& cell) const;
   bool FindPoints(const char* place, vtkIdType row, MAPDLCell& cell, Finding& finding) const;
 
   bool ReadNodeIds(const Progress& progress);

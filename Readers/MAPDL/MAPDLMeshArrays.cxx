@@ -108,8 +108,7 @@ void MAPDLMesh::Warn(Warnings& warnings) const
   for (const auto& entry : unknown)
   {
     const std::string kind = " of type " + std::to_string(entry.first) + ", which is not a cell, ";
-    add(entry.second, "element" + kind + "is ", "elements" + kind + "are ",
-      this->Options.UnknownAsPoints ? "converted to points" : "omitted");
+    add(entry.second, "element" + kind + "is ", "elements" + kind + "are ", "omitted");
   }
   add(withoutNodes, "element has no nodes and is", "elements have no nodes and are", " omitted");
   add(undefined,

@@ -26,9 +26,6 @@ struct MAPDLOptions
   bool Linear = false;
   /// Whether to keep surface elements for contact and loads.
   bool SurfaceEffects = true;
-  /// Whether elements that are not cells, such as matrices, become sets of points; else they are
-  /// left out.
-  bool UnknownAsPoints = false;
 };
 
 /// Whether the file begins like a deck with nodes. Reads its first part and reports no errors.

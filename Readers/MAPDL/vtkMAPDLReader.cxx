@@ -22,7 +22,6 @@ bool vtkMAPDLReader::ReadMesh(const std::string& path, const camaron::PieceReque
   camaron::MAPDLOptions options;
   options.Linear = this->Linear;
   options.SurfaceEffects = this->SurfaceEffects;
-  options.UnknownAsPoints = this->UnknownElementsAsPoints;
   return camaron::ReadMAPDL(path, options, request, output, warnings, error, progress);
 }
 
@@ -32,5 +31,4 @@ void vtkMAPDLReader::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Linear: " << this->Linear << "\n";
   os << indent << "SurfaceEffects: " << this->SurfaceEffects << "\n";
-  os << indent << "UnknownElementsAsPoints: " << this->UnknownElementsAsPoints << "\n";
 }

@@ -52,16 +52,6 @@ public:
   vtkBooleanMacro(SurfaceEffects, bool);
   ///@}
 
-  ///@{
-  /**
-   * Whether elements that are not cells, such as MATRIX27, become sets of points. Otherwise they
-   * are left out. The reader warns in both cases. Default: off.
-   */
-  vtkSetMacro(UnknownElementsAsPoints, bool);
-  vtkGetMacro(UnknownElementsAsPoints, bool);
-  vtkBooleanMacro(UnknownElementsAsPoints, bool);
-  ///@}
-
 protected:
   vtkMAPDLReader();
   ~vtkMAPDLReader() override = default;
@@ -76,7 +66,6 @@ private:
 
   bool Linear = false;
   bool SurfaceEffects = true;
-  bool UnknownElementsAsPoints = false;
 };
 
 #endif

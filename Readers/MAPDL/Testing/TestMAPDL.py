@@ -144,14 +144,10 @@ class TestMAPDL(camaron_testing.FormatTestCase):
     def test_options(self):
         """Properties of the reader reach the file's reader."""
         source = self.open(self.deck())
-        self.assertEqual(
-            (source.Linear, source.SurfaceEffects, source.UnknownElementsAsPoints), (0, 1, 0)
-        )
+        self.assertEqual((source.Linear, source.SurfaceEffects), (0, 1))
         self.assertEqual(self.numbers(source)[1], 2)
-        source.UnknownElementsAsPoints = 1
-        self.assertEqual(self.numbers(source)[1], 3)
         source.SurfaceEffects = 0
-        self.assertEqual(self.numbers(source)[1], 2)
+        self.assertEqual(self.numbers(source)[1], 1)
         grid = gallery.quadratic_mixed()
         decks = [(self.save("quadratic.cdb", grid), {10, 12, 13, 14}, grid.GetNumberOfPoints())]
         decks += [(path, {12}, 321) for path in self.real("ansys_cdb/archive_HexBeam.cdb")]

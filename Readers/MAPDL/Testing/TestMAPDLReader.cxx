@@ -431,25 +431,16 @@ TEST(MAPDLReader, OptionsForElements)
 {
   const File file(MakeNodes(1, 8) +
     "ET,1,185\nET,2,154\nET,3,MATRIX27\nE,1,2,3,4,5,6,7,8\nTYPE,2\nE,1,2,3,4\nTYPE,3\nE,1,2\n");
-  const auto read = [&](bool surfaceEffects, bool unknown)
+  const auto read = [&](bool surfaceEffects)
   {
     return ReadWith<vtkMAPDLReader>(file.Path, 0, 1, 0,
-      [=](vtkMAPDLReader* reader)
-      {
-        reader->SetSurfaceEffects(surfaceEffects);
-        reader->SetUnknownElementsAsPoints(unknown);
-      });
+      [=](vtkMAPDLReader* reader) { reader->SetSurfaceEffects(surfaceEffects); });
   };
-  const Result standard = read(true, false);
+  const Result standard = read(true);
   EXPECT_EQ(standard.Grid->GetNumberOfCells(), 2);
   ASSERT_EQ(standard.Warnings.size(), 1u);
   EXPECT_NE(standard.Warnings[0].find("1 element of type 27"), std::string::npos);
-  const Result all = read(true, true);
-  ASSERT_EQ(all.Grid->GetNumberOfCells(), 3);
-  EXPECT_EQ(all.Grid->GetCellType(2), VTK_POLY_VERTEX);
-  EXPECT_EQ(GetNodes(all.Grid, 2), (Nodes{ 1, 2 }));
-  EXPECT_EQ(GetValue(all.Grid, "ElementType", 2), 27);
-  const Result few = read(false, false);
+  const Result few = read(false);
   ASSERT_EQ(few.Grid->GetNumberOfCells(), 1);
   EXPECT_EQ(GetValue(few.Grid, "ElementType", 0), 185);
 }
