@@ -2,13 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TRIReading.h"
 
+#include "Intake/CellMesh/CellGrid.h"
 #include "Intake/CellMesh/PieceRows.h"
 #include "Intake/CellMesh/PointRows.h"
 #include "Intake/Pieces/ReadMappedFile.h"
 #include "TRIMesh.h"
 
+#include "vtkCellData.h"
 #include "vtkDoubleArray.h"
 #include "vtkIntArray.h"
+#include "vtkPointData.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
@@ -248,6 +251,31 @@ bool TRIReading::Read(TextScanner& scanner, const TextLines* lines, const Progre
     this->Request, scanner.SkipSpace(), this->Grid, this->Messages, progress.Part(0.95, 1));
   return !progress.IsStopped();
 }
+}
+
+//------------------------------------------------------------------------------
+void TRIMesh::Finish(const PieceRequest& request, bool hasMore, vtkUnstructuredGrid* grid,
+  Warnings& warnings, const Progress& progress)
+{
+  if (request.Piece == 0)
+  {
+    this->Piece.WarnOfRepeatedPoints(this->Cells, warnings, progress, "triangle", "triangles");
+    if (hasMore)
+    {
+      warnings.Add("there is more data after the end of the mesh");
+    }
+  }
+  FillGrid(this->Cells, this->Piece, this->Points, grid);
+  if (this->Components)
+  {
+    this->Components->SetName("Component");
+    grid->GetCellData()->AddArray(this->Components);
+  }
+  if (this->Scalars)
+  {
+    this->Scalars->SetName("Scalars");
+    grid->GetPointData()->AddArray(this->Scalars);
+  }
 }
 
 //------------------------------------------------------------------------------
