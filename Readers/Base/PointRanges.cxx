@@ -6,12 +6,14 @@
 
 #include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
+#include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationDoubleVectorKey.h"
 #include "vtkInformationInformationVectorKey.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkPointData.h"
 #include "vtkPointSet.h"
 #include "vtkPoints.h"
 #include "vtkSmartPointer.h"
@@ -147,5 +149,23 @@ bool FindPointRanges(vtkPointSet* mesh)
   mesh->SetPoints(points);
   Keep(ranges, data);
   return true;
+}
+
+//------------------------------------------------------------------------------
+Tally FindNotFinitePoints(vtkPointSet* mesh)
+{
+  auto* const globalIds =
+    vtkIdTypeArray::SafeDownCast(mesh->GetPointData()->GetArray("GlobalPointIds"));
+  Tally tally;
+  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+  {
+    double x[3];
+    mesh->GetPoint(i, x);
+    if (!std::isfinite(x[0]) || !std::isfinite(x[1]) || !std::isfinite(x[2]))
+    {
+      tally.Add(globalIds ? globalIds->GetValue(i) : i);
+    }
+  }
+  return tally;
 }
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file PointRanges.h
- * @brief Computes the coordinate ranges of a mesh after reading it.
+ * @brief Coordinates of a mesh after reading it: their ranges, and which are not finite.
  *
  * ParaView requests the bounds of every mesh that it opens, and the ranges of its coordinates and
  * of their norms, with and without infinite values. VTK makes a pass over all points for each of
@@ -10,6 +10,8 @@
  */
 #ifndef camaron_PointRanges_h
 #define camaron_PointRanges_h
+
+#include "Scan/ScanError.h"
 
 class vtkPointSet;
 
@@ -21,6 +23,10 @@ namespace camaron
  * @return whether the ranges are stored
  */
 bool FindPointRanges(vtkPointSet* mesh);
+
+/// Number of points of a mesh with a nonfinite coordinate, and the first of them; for a piece, by
+/// its "GlobalPointIds".
+Tally FindNotFinitePoints(vtkPointSet* mesh);
 }
 
 #endif

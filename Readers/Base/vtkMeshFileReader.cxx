@@ -7,7 +7,6 @@
 #include "Intake/Pieces/PieceExchange.h"
 #include "Intake/Write/InputFiles.h"
 #include "MergedWarnings.h"
-#include "NotFinitePoints.h"
 #include "PointRanges.h"
 #include "Scan/FileStates.h"
 #include "Scan/MappedFile.h"

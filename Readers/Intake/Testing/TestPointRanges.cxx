@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The ranges that a reader leaves with the points are those that VTK computes.
-#include "NotFinitePoints.h"
 #include "PointRanges.h"
 
 #include "vtkDoubleArray.h"
