@@ -137,8 +137,7 @@ private:
   template <typename IsNeeded, typename Visit>
   bool ForEachLine(const Progress& progress, IsNeeded&& isNeeded, Visit&& visit);
   bool ReadIds(const Progress& progress);
-  bool Sum();
-  void MapVertices(Warnings& warnings);
+  bool NumberVertices(Warnings& warnings);
   bool ReadTriangles(CellMesh& mesh, const Progress& progress);
   bool AddProperties(std::size_t object);
   bool MakeArrays(vtkIdType numberOfPoints);
@@ -258,48 +257,38 @@ bool TSurfReading::ReadIds(const Progress& progress)
 }
 
 //------------------------------------------------------------------------------
-// Sums the counts of chunks up to those before each.
-bool TSurfReading::Sum()
-{
-  vtkIdType points = 0, triangles = 0, faces = 0;
-  std::size_t object = 0;
-  for (Chunk& chunk : this->Chunks)
-  {
-    faces = chunk.Object == object ? faces : 0;
-    object = chunk.Object;
-    chunk.Points = points;
-    chunk.Triangles = triangles;
-    chunk.Faces = faces;
-    for (const std::int32_t id : chunk.Vertices)
-    {
-      this->HasOtherIds = this->HasOtherIds || id != points;
-      ++points;
-    }
-    triangles += chunk.NumberOfTriangles;
-    faces += static_cast<vtkIdType>(chunk.FaceTriangles.size());
-  }
-  return std::max(points, 3 * triangles) <= INT32_MAX ||
-    this->Scanner.FailAt(this->Scanner.GetPosition(), ErrorKind::Unsupported,
-      "fewer than 2147483648 vertices, and vertices of triangles", "more");
-}
-
-//------------------------------------------------------------------------------
-void TSurfReading::MapVertices(Warnings& warnings)
+// Numbers points, triangles and faces over all chunks, and maps the ids of vertices.
+bool TSurfReading::NumberVertices(Warnings& warnings)
 {
   this->Maps.resize(this->Objects.size());
-  vtkIdType repeated = 0, atomsWithValues = 0;
+  vtkIdType points = 0, triangles = 0, repeated = 0, atomsWithValues = 0;
   auto chunk = this->Chunks.begin();
   for (std::size_t object = 0; object < this->Objects.size(); ++object)
   {
     VertexMap& map = this->Maps[object];
-    map.FirstPoint = chunk->Points;
+    map.FirstPoint = points;
     std::vector<std::int32_t> ids, idsOfAtoms;
     std::vector<Atom> atoms;
-    for (; chunk->Object == object; ++chunk)
+    for (vtkIdType faces = 0; chunk->Object == object; ++chunk)
     {
+      chunk->Points = points;
+      chunk->Triangles = triangles;
+      chunk->Faces = faces;
+      for (const std::int32_t id : chunk->Vertices)
+      {
+        this->HasOtherIds = this->HasOtherIds || id != points;
+        ++points;
+      }
+      triangles += chunk->NumberOfTriangles;
+      faces += static_cast<vtkIdType>(chunk->FaceTriangles.size());
       ids.insert(ids.end(), chunk->Vertices.begin(), chunk->Vertices.end());
       atoms.insert(atoms.end(), chunk->Atoms.begin(), chunk->Atoms.end());
       atomsWithValues += chunk->AtomsWithValues;
+    }
+    if (std::max(points, 3 * triangles) > INT32_MAX)
+    {
+      return this->Scanner.FailAt(this->Scanner.GetPosition(), ErrorKind::Unsupported,
+        "fewer than 2147483648 vertices, and vertices of triangles", "more");
     }
     map.Vertices.Build(ids.data(), static_cast<vtkIdType>(ids.size()));
     repeated += map.Vertices.GetNumberOfRepeated();
@@ -310,6 +299,8 @@ void TSurfReading::MapVertices(Warnings& warnings)
     }
     map.Atoms.Build(idsOfAtoms.data(), static_cast<vtkIdType>(atoms.size()));
   }
+  chunk->Points = points; // the totals
+  chunk->Triangles = triangles;
   if (repeated > 0)
   {
     warnings.Add("vertices with the id of another vertex of their surface: " +
@@ -319,6 +310,7 @@ void TSurfReading::MapVertices(Warnings& warnings)
   {
     warnings.Add("atoms with properties, which are not read: " + std::to_string(atomsWithValues));
   }
+  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -542,11 +534,10 @@ void TSurfReading::AddTexts(vtkUnstructuredGrid* grid) const
 bool TSurfReading::Read(const PieceRequest& request, vtkUnstructuredGrid* grid, Warnings& warnings,
   const Progress& progress)
 {
-  if (!this->ReadIds(progress.Part(0.1, 0.3)) || !this->Sum())
+  if (!this->ReadIds(progress.Part(0.1, 0.3)) || !this->NumberVertices(warnings))
   {
     return false;
   }
-  this->MapVertices(warnings);
   const Chunk& totals = this->Chunks.back();
   CellMesh mesh(totals.Points, totals.Triangles, VTK_TRIANGLE, 3);
   if (!this->ReadTriangles(mesh, progress.Part(0.3, 0.5)))
