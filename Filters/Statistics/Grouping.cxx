@@ -72,8 +72,30 @@ private:
 };
 
 //------------------------------------------------------------------------------
+// The array of that name if it has one component, else nullptr.
+vtkStringArray* GetStrings(const ElementBlock& block, const std::string& name)
+{
+  auto* array = vtkStringArray::SafeDownCast(block.GetAttributes()->GetAbstractArray(name.c_str()));
+  return array && array->GetNumberOfComponents() == 1 ? array : nullptr;
+}
+
+//------------------------------------------------------------------------------
+bool IsBlank(const std::string& text)
+{
+  return text.find_first_not_of(" \t\r\n") == std::string::npos;
+}
+
+//------------------------------------------------------------------------------
+// The array to group by, and the texts on all processes, sorted, if some of its values are texts.
+struct GroupArray
+{
+  std::string Name;
+  std::vector<std::string> Texts;
+};
+
+//------------------------------------------------------------------------------
 void NumberCellTypes(
-  const ElementBlock& block, const std::string&, KeyList& keys, std::vector<int>& numbers)
+  const ElementBlock& block, const GroupArray&, KeyList& keys, std::vector<int>& numbers)
 {
   const vtkIdType size = block.Data->GetNumberOfCells();
   const MeshView mesh(block.Data);
@@ -95,12 +117,39 @@ std::string GetTypeLabelOfKey(const ElementBlock&, const ExactValue& cellType)
 }
 
 //------------------------------------------------------------------------------
+// The keys of texts are their places in the list.
+void NumberTexts(const ElementBlock& block, vtkStringArray* array,
+  const std::vector<std::string>& texts, KeyList& keys, std::vector<int>& numbers)
+{
+  std::size_t place = 0;
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+  {
+    const auto element = static_cast<vtkIdType>(i);
+    const std::string& text = array->GetValue(element);
+    if (block.IsGhost(element) || IsBlank(text))
+    {
+      continue;
+    }
+    if (texts[place] != text) // neighbors often have the same
+    {
+      place = std::lower_bound(texts.begin(), texts.end(), text) - texts.begin();
+    }
+    numbers[i] = keys.GetNumber({ static_cast<double>(place) });
+  }
+}
+
+//------------------------------------------------------------------------------
 // Integers are keys, whatever the type of the array: a region may be stored as double.
 void NumberArrayValues(
-  const ElementBlock& block, const std::string& arrayName, KeyList& keys, std::vector<int>& numbers)
+  const ElementBlock& block, const GroupArray& by, KeyList& keys, std::vector<int>& numbers)
 {
   numbers.assign(block.GetSize(), NoGroup);
-  vtkDataArray* array = block.GetArray(arrayName);
+  vtkStringArray* strings = GetStrings(block, by.Name);
+  vtkDataArray* array = block.GetArray(by.Name);
+  if (strings && !by.Texts.empty())
+  {
+    NumberTexts(block, strings, by.Texts, keys, numbers);
+  }
   if (!array)
   {
     return;
@@ -126,7 +175,7 @@ std::string GetNumberLabel(const ElementBlock&, const ExactValue& key)
 
 //------------------------------------------------------------------------------
 void NumberBlock(
-  const ElementBlock& block, const std::string&, KeyList& keys, std::vector<int>& numbers)
+  const ElementBlock& block, const GroupArray&, KeyList& keys, std::vector<int>& numbers)
 {
   numbers.assign(1, keys.GetNumber({ static_cast<double>(block.Number) }));
 }
@@ -143,8 +192,8 @@ struct Way
   const char* Name;
   /// Sets the group number of each element, or a single number for all of them. Numbers of ghosts
   /// are not used.
-  void (*SetNumbers)(const ElementBlock& block, const std::string& arrayName, KeyList& keys,
-    std::vector<int>& numbers);
+  void (*SetNumbers)(
+    const ElementBlock& block, const GroupArray& array, KeyList& keys, std::vector<int>& numbers);
   std::string (*GetLabel)(const ElementBlock& block, const ExactValue& key);
   std::size_t MaxNumberOfGroups; ///< more groups are an error
   bool IsForPoints;
@@ -173,7 +222,7 @@ const Way& FindWay(const std::string& name)
 // Collective. Skips ids and ghost types.
 std::string FindArrayName(const std::string& told, const ElementBlocks& blocks, Reducer& reducer)
 {
-  std::vector<std::string> ofIntegers, all;
+  std::vector<std::string> ofIntegers, all, ofTexts;
   for (const ElementBlock& block : blocks.Get())
   {
     vtkDataSetAttributes* attributes = block.GetAttributes();
@@ -186,9 +235,37 @@ std::string FindArrayName(const std::string& told, const ElementBlocks& blocks, 
       {
         (IsOfIntegers(array) ? ofIntegers : all).emplace_back(name);
       }
+      else if (name && GetStrings(block, name))
+      {
+        ofTexts.emplace_back(name);
+      }
     }
   }
-  return AgreeOnName(told, { ofIntegers, all }, reducer);
+  return AgreeOnName(told, { ofIntegers, all, ofTexts }, reducer);
+}
+
+//------------------------------------------------------------------------------
+// Collective. At most one text more than there may be groups, so that the caller notices the
+// excess.
+std::vector<std::string> FindTexts(
+  const std::string& arrayName, const ElementBlocks& blocks, std::size_t most, Reducer& reducer)
+{
+  std::set<std::string> found;
+  for (const ElementBlock& block : blocks.Get())
+  {
+    vtkStringArray* array = GetStrings(block, arrayName);
+    for (vtkIdType i = 0; array && i < array->GetNumberOfValues() && found.size() <= most; ++i)
+    {
+      const std::string& text = array->GetValue(i);
+      if (!block.IsGhost(i) && !IsBlank(text))
+      {
+        found.insert(text);
+      }
+    }
+  }
+  const std::vector<std::string> gathered = reducer.GatherNames({ found.begin(), found.end() });
+  const std::set<std::string> all(gathered.begin(), gathered.end());
+  return { all.begin(), all.end() };
 }
 
 //------------------------------------------------------------------------------
@@ -211,12 +288,6 @@ std::vector<Label> GatherLabels(const std::set<Label>& labels, Reducer& reducer)
     all.emplace(key, name.substr(end + 1));
   }
   return { all.begin(), all.end() };
-}
-
-//------------------------------------------------------------------------------
-bool IsBlank(const std::string& text)
-{
-  return text.find_first_not_of(" \t\r\n") == std::string::npos;
 }
 
 //------------------------------------------------------------------------------
@@ -295,19 +366,26 @@ Grouping::Grouping(const std::string& name, const std::string& arrayName,
   {
     throw std::invalid_argument("points cannot be grouped by '" + name + "'");
   }
+  GroupArray by;
+  std::set<Label> valueNames;
   if (way.SetNumbers == &NumberArrayValues)
   {
     this->ArrayName = FindArrayName(arrayName, blocks, reducer);
+    by = { this->ArrayName, FindTexts(this->ArrayName, blocks, way.MaxNumberOfGroups, reducer) };
+    this->RefuseMany(by.Texts.size(), way.MaxNumberOfGroups);
+    for (std::size_t i = 0; i < by.Texts.size(); ++i)
+    {
+      valueNames.emplace(ExactValue{ static_cast<double>(i) }, by.Texts[i]);
+    }
   }
   KeyList keys(way.MaxNumberOfGroups);
   std::set<Label> labels;
-  std::set<Label> valueNames;
   std::int64_t numberWithoutGroup = 0;
   for (const ElementBlock& block : blocks.Get())
   {
     const std::size_t numberBefore = keys.Get().size();
     std::vector<int> numbers;
-    way.SetNumbers(block, this->ArrayName, keys, numbers);
+    way.SetNumbers(block, by, keys, numbers);
     for (std::size_t k = numberBefore; k < keys.Get().size(); ++k)
     {
       labels.emplace(keys.Get()[k], way.GetLabel(block, keys.Get()[k]));
@@ -328,11 +406,7 @@ Grouping::Grouping(const std::string& name, const std::string& arrayName,
     this->Groups.push_back({ false, label.first, label.second });
   }
   NameGroups(GatherLabels(valueNames, reducer), this->Groups);
-  if (this->Groups.size() - 1 > way.MaxNumberOfGroups)
-  {
-    throw std::invalid_argument("the array '" + this->ArrayName + "' has more than " +
-      std::to_string(way.MaxNumberOfGroups) + " different values, too many to group by");
-  }
+  this->RefuseMany(this->Groups.size() - 1, way.MaxNumberOfGroups);
   std::vector<int> numbersOfKeys;
   for (const ExactValue& key : keys.Get())
   {
@@ -348,6 +422,16 @@ Grouping::Grouping(const std::string& name, const std::string& arrayName,
     }
   }
   this->OneGroup = this->Groups.size() == 2 && numberWithoutGroup == 0;
+}
+
+//------------------------------------------------------------------------------
+void Grouping::RefuseMany(std::size_t number, std::size_t most) const
+{
+  if (number > most)
+  {
+    throw std::invalid_argument("the array '" + this->ArrayName + "' has more than " +
+      std::to_string(most) + " different values, too many to group by");
+  }
 }
 
 //------------------------------------------------------------------------------

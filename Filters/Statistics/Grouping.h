@@ -38,9 +38,10 @@ public:
    *
    * @param name "None", "Cell type" (not for points), "Block" or "Cell array"
    * @param arrayName for "Cell array": a one-component cell array, for points a point array, with
-   * one group per 64-bit integer that is one of its values, at most 1000. Empty on all processes:
-   * the first integer array, else the first array. Where the field data have arrays that name its
-   * values, such as ZoneIds and ZoneNames for Zone, the labels are these names.
+   * one group per 64-bit integer that is one of its values, or per text, at most 1000. Empty on all
+   * processes: the first integer array, else the first array of numbers, else of texts. Labels are
+   * the texts, in their order, and where the field data have arrays that name the values, such as
+   * ZoneIds and ZoneNames for Zone, these names.
    *
    * Throws std::invalid_argument on all processes if @a name is unknown or not for this element
    * type, or if there are too many groups.
@@ -63,6 +64,8 @@ public:
   Population GetPopulation(const Group& group, const BlockValues& values);
 
 private:
+  void RefuseMany(std::size_t number, std::size_t most) const;
+
   const ElementBlocks& Blocks;
   std::string ArrayName;
   bool OneGroup = false;

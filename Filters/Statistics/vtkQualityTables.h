@@ -68,8 +68,8 @@ public:
   ///@{
   /**
    * One-component cell array to group by, such as a material or a region, with up to 1000 different
-   * values. Cells whose values are not 64-bit integers are in no group. Default: empty, the first
-   * integer array, else the first array.
+   * values. Cells whose values are neither 64-bit integers nor texts are in no group. Default:
+   * empty, the first integer array, else the first array of numbers, else of texts.
    */
   vtkSetStdStringFromCharMacro(GroupArray);
   vtkGetCharFromStdStringMacro(GroupArray);

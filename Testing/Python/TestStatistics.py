@@ -11,7 +11,12 @@ import numpy
 from paraview import simple
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkStringArray
-from vtkmodules.vtkCommonDataModel import VTK_HEXAHEDRON, VTK_TETRA, vtkMultiBlockDataSet
+from vtkmodules.vtkCommonDataModel import (
+    VTK_HEXAHEDRON,
+    VTK_TETRA,
+    vtkImageData,
+    vtkMultiBlockDataSet,
+)
 
 PERCENTS = [0, 1, 5, 25, 50, 75, 95, 99, 100]
 
@@ -315,6 +320,37 @@ class TestStatistics(camaron_testing.TestCase):
         groups = ["All", "inlet", "rotor (1)", "rotor (2)", "3"]
         self.assertEqual([row["Group"] for row in table], groups)
         self.assertEqual({row["Group"] for row in bins}, set(groups))
+
+    def test_groups_of_texts(self):
+        """One for each text, in their order; cells without one are in none."""
+        grid = mesh_parts.make_mesh()
+        names = vtkStringArray()
+        names.SetName("Material")
+        for cell in range(grid.GetNumberOfCells()):
+            names.InsertNextValue(("rotor", "", "air gap", "All", "rotor")[cell % 5])
+        grid.GetCellData().AddArray(names)
+        quality = simple.ElementQuality(Input=mesh_parts.producer(grid), Criteria=["Volume"])
+        volumes = vtk_to_numpy(self.fetch(quality).GetCellData().GetArray("Volume"))
+        table, _, _ = self.tables(quality, GroupBy="Cell array", GroupArray="Material")
+        groups = ["All", "All (0)", "air gap", "rotor"]
+        self.assertEqual([row["Group"] for row in table], groups)
+        places = numpy.arange(len(volumes)) % 5
+        for row, here in zip(table[1:], (places == 3, places == 2, places % 4 == 0)):
+            self.check_statistics(row, volumes[here], numpy.flatnonzero(here))
+        many = vtkImageData()
+        many.SetDimensions(1002, 2, 2)
+        ids, values = vtkStringArray(), numpy_to_vtk(numpy.arange(1001.0), deep=True)
+        ids.SetName("Name")
+        values.SetName("Value")
+        for cell in range(1001):
+            ids.InsertNextValue(f"cell {cell}")
+        many.GetCellData().AddArray(ids)
+        many.GetCellData().AddArray(values)
+        with camaron_testing.pipeline.Messages() as messages:
+            self.tables(
+                mesh_parts.producer(many), Arrays=["Value"], GroupBy="Cell array", GroupArray="Name"
+            )
+        self.assertIn("'Name' has more than 1000 different values", messages.errors[0])
 
     def test_labels_of_groups(self):
         """Each group has its own, with whatever names, and names belong to integers of 64 bits."""

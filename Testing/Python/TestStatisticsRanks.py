@@ -257,6 +257,20 @@ class TestRanks(camaron_testing.TestCase):
                     )  # only pieces have global ids, which then are the indices
                 self.assertEqual(tables[table], expected[table], f"{table} of {name}")
 
+    def test_groups_of_texts(self):
+        """As those of the numbers with these names, though not every rank has each of them."""
+        source, rows = mesh_parts.named_source(), {}
+        for array in ("Material", "Name"):
+            statistics = simple.QualityStatistics(
+                Input=source, Arrays=["Volume"], GroupBy="Cell array", GroupArray=array
+            )
+            rows[array] = tables.fetch(statistics)
+        if RANK == 0:
+            groups = {row["Group"]: (row["Count"], row["Max"]) for row in rows["Name"]}
+            self.assertEqual(list(groups), ["All", *"abcdefg"])
+            by_number = [(row["Count"], row["Max"]) for row in rows["Material"]]
+            self.assertEqual(list(groups.values()), by_number)
+
     def test_ranges_file(self):
         """Only rank 0 has the file; all ranks count by it, and all stop where it is wrong."""
         if RANK == 0:

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import numpy
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkIdList, vtkIdTypeArray, vtkPoints
+from vtkmodules.vtkCommonCore import vtkIdList, vtkIdTypeArray, vtkPoints, vtkStringArray
 from vtkmodules.vtkCommonDataModel import (
     VTK_HEXAHEDRON,
     VTK_TETRA,
@@ -158,6 +158,17 @@ def make_part(rank, ranks, global_ids=False, ghost_layer=0, empty_rank=False):
     return extract(grid, cuts[rank], cuts[rank + 1], ghost_layer)
 
 
+def make_named_part(**options):
+    """The same with the text array Name: a letter for each Material."""
+    part = make_part(**options)
+    names = vtkStringArray()
+    names.SetName("Name")
+    for material in vtk_to_numpy(part.GetCellData().GetArray("Material")):
+        names.InsertNextValue("abcdefg"[material + 3])
+    part.GetCellData().AddArray(names)
+    return part
+
+
 def rank_source(module, function, kind, options):
     """A source that calls a function of the module with this path on every rank; kind is the type of what it makes."""
     from paraview import simple
@@ -189,6 +200,11 @@ def rank_source(module, function, kind, options):
 def split_source(**options):
     """A source that gives every rank its part."""
     return rank_source(__file__, "make_part", "vtkUnstructuredGrid", options)
+
+
+def named_source():
+    """A source that gives every rank its named part."""
+    return rank_source(__file__, "make_named_part", "vtkUnstructuredGrid", {})
 
 
 def make_collection(parts=1):
