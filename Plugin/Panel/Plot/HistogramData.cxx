@@ -32,6 +32,13 @@ bool HistogramData::HasIntegerBins() const
 }
 
 //------------------------------------------------------------------------------
+bool HistogramData::HasWholeNumbers() const
+{
+  return this->HasIntegerBins() ||
+    (this->IsConstant() && this->Edges[0] == std::floor(this->Edges[0]));
+}
+
+//------------------------------------------------------------------------------
 HistogramData::Column HistogramData::GetType(int column) const
 {
   const int bins = this->GetNumberOfBins();

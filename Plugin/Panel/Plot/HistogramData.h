@@ -57,6 +57,8 @@ struct HistogramData
   bool IsConstant() const;
   /// Bins that contain one integer each, as those of counts.
   bool HasIntegerBins() const;
+  /// The values may be whole numbers only, as far as the bins tell.
+  bool HasWholeNumbers() const;
   /// No group has an element.
   bool IsEmpty() const { return this->GetTotal() == 0; }
 

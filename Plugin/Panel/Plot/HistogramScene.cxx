@@ -268,7 +268,7 @@ void HistogramScene::MakeValueTicks()
   constexpr int most = 12;
   for (int number = most; number >= 2 && !this->Data.Edges.empty(); --number)
   {
-    this->ValueTicks = GetTicks(this->Values, number);
+    this->ValueTicks = GetTicks(this->Values, number, this->Data.HasWholeNumbers() ? 1 : 0);
     const auto labels = std::count_if(this->ValueTicks.begin(), this->ValueTicks.end(),
       [](const Tick& tick) { return !tick.Label.isEmpty(); });
     if (static_cast<double>(labels) *

@@ -186,7 +186,7 @@ std::vector<double> GetRoundNumbersOfDecades(double low, double high, int most)
 }
 
 //------------------------------------------------------------------------------
-std::vector<Tick> GetTicks(const Scale& scale, int most)
+std::vector<Tick> GetTicks(const Scale& scale, int most, double smallestStep)
 {
   most = std::max(most, 2);
   if (scale.Logarithmic)
@@ -199,13 +199,14 @@ std::vector<Tick> GetTicks(const Scale& scale, int most)
       return ticks;
     }
   }
-  const DecimalStep step = GetRoundStep(scale.Low, scale.High, most, 0);
+  const DecimalStep step = GetRoundStep(scale.Low, scale.High, most, smallestStep);
   std::vector<Tick> ticks;
   for (const double number : GetMultiples(scale.Low, scale.High, step))
   {
     ticks.push_back({ number, FormatMultiple(number, step.Exponent) });
   }
-  if (ticks.size() < 2) // there are no round numbers between the ends
+  const std::size_t least = smallestStep > 0 ? 1 : 2;
+  if (ticks.size() < least) // there are no round numbers between the ends
   {
     const auto [low, high] = FormatNumbers(scale.Low, scale.High);
     return { { scale.Low, low }, { scale.High, high } };

@@ -50,8 +50,9 @@ std::vector<double> GetRoundNumbers(double low, double high, int most, double sm
 /// @a most; both ends positive.
 std::vector<double> GetRoundNumbersOfDecades(double low, double high, int most);
 
-/// Ticks of an axis with at most about @a most labels (at least 2).
-std::vector<Tick> GetTicks(const Scale& scale, int most);
+/// Ticks of an axis with at most about @a most labels (at least 2); of a linear one, their distance
+/// is at least @a smallestStep.
+std::vector<Tick> GetTicks(const Scale& scale, int most, double smallestStep = 0);
 
 /// Ticks of an axis of counts; no fractions, and large numbers as 20k or 1.5M.
 std::vector<Tick> GetCountTicks(const Scale& scale, int most);

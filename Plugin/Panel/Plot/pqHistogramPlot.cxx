@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 using camaron::CumulativeCounts;
 using camaron::HistogramBrush;
@@ -135,6 +136,18 @@ QString pqHistogramPlot::binCounts() const
     counts << QString::number(this->data().GetCount(this->data().GetColumnOfBin(bin)));
   }
   return counts.join(' ');
+}
+
+//------------------------------------------------------------------------------
+QString pqHistogramPlot::groupCounts() const
+{
+  QStringList counts;
+  for (const auto& group : this->data().Groups)
+  {
+    const qint64 count = std::accumulate(group.Counts.begin(), group.Counts.end(), qint64(0));
+    counts << QString("%1 %2").arg(group.Label).arg(count);
+  }
+  return counts.join(", ");
 }
 
 //------------------------------------------------------------------------------

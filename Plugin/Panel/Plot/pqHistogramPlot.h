@@ -37,6 +37,8 @@ class pqHistogramPlot : public QWidget
   Q_PROPERTY(qint64 brushedCount READ brushedCount)
   /// Count of each bin, separated by blanks.
   Q_PROPERTY(QString binCounts READ binCounts)
+  /// Label and number of elements of each group.
+  Q_PROPERTY(QString groupCounts READ groupCounts)
   ///@{
   /// Limits of the acceptable range; infinite if there is none.
   Q_PROPERTY(double acceptableLow READ acceptableLow)
@@ -98,6 +100,7 @@ public:
   ///@}
 
   QString binCounts() const;
+  QString groupCounts() const;
   double acceptableLow() const { return this->Scene.Low; }
   double acceptableHigh() const { return this->Scene.High; }
 

@@ -399,6 +399,8 @@ void TestHistogramData::Ticks()
   QCOMPARE(getLabels(GetTicks(Scale(1e-5, 1, true), 9)), QString("1e-5 1e-4 0.001 0.01 0.1 1"));
   QCOMPARE(getLabels(GetTicks(Scale(1, 100, true), 9)), QString("1 2 5 10 20 50 100"));
   QCOMPARE(getLabels(GetTicks(Scale(30, 40, true), 3)), QString("30 35 40"));
+  QCOMPARE(getLabels(GetTicks(Scale(-0.5, 1.5), 12, 1)), QString("0 1"));
+  QCOMPARE(getLabels(GetTicks(Scale(0.5, 1.5), 12, 1)), QString("1"));
   QCOMPARE(getLabels(GetCountTicks(Scale(0, 3), 8)), QString("0 1 2 3"));
   QCOMPARE(getLabels(GetCountTicks(Scale(0, 42000), 5)), QString("0 10k 20k 30k 40k"));
   QCOMPARE(getLabels(GetCountTicks(Scale(0.5, 3e5, true), 6)), QString("1 10 100 1000 10k 100k"));

@@ -154,6 +154,7 @@ class TestHistogramPlot : public QObject
   Q_OBJECT
 
 private Q_SLOTS:
+  void WholeNumbers();
   void ClickBrushesABar();
   void DragBrushesSeveral();
   void DragReportsTheCount();
@@ -174,6 +175,31 @@ private Q_SLOTS:
   void SingleElementsAreVisible();
   void StacksShowSelectedParts();
 };
+
+//------------------------------------------------------------------------------
+// Else the axis of Valid, which is 0 or 1, has ticks from -0.4 to 1.4.
+void TestHistogramPlot::WholeNumbers()
+{
+  const auto getTicks = [](const std::vector<double>& edges)
+  {
+    camaron::HistogramScene scene;
+    scene.Data.Edges = edges;
+    scene.Data.Groups.resize(1);
+    scene.Data.Groups[0].Counts.assign(scene.Data.GetNumberOfColumns(), 1);
+    scene.Place({ 400, 200 }, QFont(), 1);
+    QStringList labels;
+    for (const camaron::Tick& tick : scene.ValueTicks)
+    {
+      labels << tick.Label;
+    }
+    return labels.join(' ');
+  };
+  QCOMPARE(getTicks({ -0.5, 0.5, 1.5 }), QString("0 1"));
+  QCOMPARE(getTicks({ 1, 1 }), QString("1"));
+  QCOMPARE(getTicks({ 2.5, 3.5, 4.5, 5.5 }), QString("3 4 5"));
+  QVERIFY(getTicks({ 0, 0.5, 1 }).contains("0.5"));
+  QVERIFY(getTicks({ 0.5, 0.5 }).contains("0.5"));
+}
 
 //------------------------------------------------------------------------------
 void TestHistogramPlot::ClickBrushesABar()
