@@ -7,7 +7,7 @@ import unittest
 
 import camaron_testing
 from paraview import simple
-from TestMeshInspector import COUNT, SCENE, card, open_card, start
+from TestMeshInspector import COUNT, PICK, SCENE, card, open_card, start
 from TestMeshInspectorElements import start as start_elements
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import VTK_TETRA, vtkUnstructuredGrid
@@ -171,6 +171,33 @@ class TestMeshInspectorFlights(WindowTestCase):
             self.assertEqual([places[i]["marked"] for i in range(3)], [0, 1, 1])
             self.assertNotEqual(places[0]["drawn"], places[1]["drawn"])
             self.assertEqual(len({tuple(scene["camera"]) for scene in places.values()}), 3)
+
+    def test_neighbor(self):
+        """A click on a neighbor in Element flies to it and marks it; undo goes back. So does the id of a cell."""
+        before, there, by_id, after = (self.folder / f"{i}.json" for i in range(4))
+        neighbors = card("Element", "Neighbors")
+        click = [
+            event(neighbors, "mousePress", "1,1,0,69,6"),
+            event(neighbors, "mouseRelease", "1,0,0,69,6"),
+        ]
+        begin = [
+            *start(),
+            *open_card("Element"),
+            *self.script("pick", PICK),
+        ]
+        self.play(*begin, *self.scene(before))
+        self.play(*begin, *click, *self.scene(there), check(card("Element", "Id"), "text", "4"))
+        self.play(*begin, *click, edit("Undo"), *self.scene(after))
+        typed = [
+            event(card("Element", "Id"), "set_string", "4"),
+            event(card("Element", "Id"), "key", "16777220"),
+        ]
+        self.play(*start(), *open_card("Element"), *typed, *self.scene(by_id))
+        scenes = [json.loads(path.read_text()) for path in (before, there, by_id, after)]
+        self.assertEqual([scene["marked"] for scene in scenes], [0, 1, 1, 0])
+        self.assertEqual(scenes[3], scenes[0])
+        self.assertNotEqual(scenes[1]["camera"], scenes[0]["camera"])
+        self.assertEqual(scenes[2], scenes[1])
 
     def test_all_at_once(self):
         """What is listed is selected and drawn alone, also after an opened row; Back shows the whole mesh again."""

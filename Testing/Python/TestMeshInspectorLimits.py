@@ -71,7 +71,7 @@ ALT_UP = f"6,{0x01000013},{0x08000000},,0,1"
 class TestMeshInspectorLimits(WindowTestCase):
     def test_fields(self):
         """Handle and verdict follow while a limit is typed; the range of the criterion comes back. Invalid limits revert
-        to the previous ones."""
+        to the previous ones. Elements that await evaluation have none."""
         upper = card("Histogram", "Limits/Upper")
         self.play(
             *start(),
@@ -110,6 +110,11 @@ class TestMeshInspectorLimits(WindowTestCase):
             event(upper, "key", RETURN),
             check(upper, "text", "165"),
             check(card("Histogram", "Limits/ResetLimits"), "enabled", "false"),
+            event(card("Criteria", "Elements"), "set_string", "Faces"),
+            check(upper, "enabled", "false"),
+            check(upper, "text", ""),
+            event(card("Criteria", "Elements"), "set_string", "Cells"),
+            check(upper, "text", "165"),
         )
 
     def test_colors(self):

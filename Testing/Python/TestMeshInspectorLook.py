@@ -666,19 +666,41 @@ class TestMeshInspectorLook(WindowTestCase):
         points = [json.loads(path.read_text())[0] for path in found]
         self.assertEqual([(p[0], p[-4]) for p in points], [(30, 50), (1, 160), (0, 1)])
 
+    def test_work(self):
+        """While criteria are evaluated, Worst says so, not that one should evaluate."""
+        self.require_events()
+        summary = card("Worst", "Summary")
+        self.play(
+            *open_file("flange.visf"),
+            apply(),
+            show_inspector(),
+            check(summary, "text", "Evaluate a criterion to see its worst cells."),
+            event(WINDOW, "resize", "1600,980"),
+            event(summary, "seen"),
+            event(summary, "watch"),
+            event(card("Criteria", "Preset"), "set_string", "General"),
+            event(card("Criteria", "Evaluate"), "activate"),
+            event(summary, "painted", "Evaluating..."),
+            check(card("Histogram", "Criterion"), "enabled", "true"),
+        )
+
     def test_words(self):
         """Cell types and defects are words; the element's card says what is where. The space bar unfolds a card, and on
-        a rule selects the cells that fail it. Presets for other shapes than those of the cells are gray.
+        a rule selects the cells that fail it. Presets for other shapes than those of the cells are gray, and those for
+        cells of second order where all are linear.
         """
         title, space, down = f"{CARDS}/Check/Title", "32", "16777237"
-        bricks = self.folder / "bricks.vtu"  # hexahedra as polyhedra
+        bricks, curved = self.folder / "bricks.vtu", self.folder / "curved.vtu"
         points, cubes = gallery.lattice(2, 1, 1)
         hexahedra = gallery.make_grid(points, [(VTK_HEXAHEDRON, cube) for cube in cubes])
         cells = [(VTK_POLYHEDRON, gallery.faces(hexahedra, cell)) for cell in range(2)]
-        writer = vtkXMLUnstructuredGridWriter()
-        writer.SetFileName(str(bricks))
-        writer.SetInputData(gallery.make_grid(points, cells))
-        writer.Write()
+        polyhedra = gallery.make_grid(points, cells)
+        for path, grid in ((bricks, polyhedra), (curved, gallery.quadratic(hexahedra))):
+            writer = vtkXMLUnstructuredGridWriter()
+            writer.SetFileName(str(path))
+            writer.SetInputData(grid)
+            writer.Write()
+        others = "FEM tetrahedra, Surface"
         table = card("Check", "Verdicts")
         self.play(
             *start(),
@@ -687,7 +709,7 @@ class TestMeshInspectorLook(WindowTestCase):
                 "text",
                 "3264\u00a0tetrahedra, 528\u00a0hexahedra, 192\u00a0wedges, 96\u00a0pyramids",
             ),
-            check(card("Criteria", "Preset"), "grayed", "Surface"),
+            check(card("Criteria", "Preset"), "grayed", "FEM second order, Surface"),
             check(f"{CARDS}/Check", "open", "false"),
             event(title, "key", space),
             check(f"{CARDS}/Check", "open", "true"),
@@ -715,12 +737,16 @@ class TestMeshInspectorLook(WindowTestCase):
             check(
                 card("Criteria", "Preset"),
                 "grayed",
-                "FEM tetrahedra, FEM hexahedra, FEM second order, Surface",
+                "FEM hexahedra, FEM second order, FEM tetrahedra, Surface",
             ),
             *open_file(str(bricks)),
             apply(),
             show_inspector(),
-            check(card("Criteria", "Preset"), "grayed", "FEM tetrahedra, Surface"),
+            check(card("Criteria", "Preset"), "grayed", f"FEM second order, {others}"),
+            *open_file(str(curved)),
+            apply(),
+            show_inspector(),
+            check(card("Criteria", "Preset"), "grayed", others),
         )
 
 

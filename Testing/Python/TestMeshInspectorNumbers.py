@@ -25,6 +25,7 @@ from TestMeshInspector import (
 )
 from TestMeshInspector import drag as drag_bars
 from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.vtkCommonCore import vtkStringArray
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkIOXML import vtkXMLImageDataWriter
 from window_testing import (
@@ -55,13 +56,20 @@ COLUMNS = [f'"{name}"' for name in ("Id", "CellType", "X", "Y", "Z", "MinDihedra
 NAN, INFINITY = float("nan"), float("inf")
 
 
-def write_row(path, values, names=("MinDihedralAngle",)):
-    """A row of boxes with criteria of these values, which the ranks of a server divide."""
+def write_row(path, values, names=("MinDihedralAngle",), texts=None):
+    """A row of boxes with criteria of these values, and perhaps an array of texts after its name, which the ranks of a
+    server divide."""
     image = vtkImageData()
     image.SetDimensions(len(values) + 1, 2, 2)
     for name in names:
         array = numpy_to_vtk(values, deep=True)
         array.SetName(name)
+        image.GetCellData().AddArray(array)
+    if texts:
+        array = vtkStringArray()
+        array.SetName(texts[0])
+        for text in texts[1]:
+            array.InsertNextValue(text)
         image.GetCellData().AddArray(array)
     writer = vtkXMLImageDataWriter()
     writer.SetFileName(str(path))
@@ -76,14 +84,15 @@ def drag(first, last, modifiers=0):
 
 class TestMeshInspectorNumbers(WindowTestCase):
     def test_other_array(self):
-        """The histogram shows any cell array, colors the mesh by it, and selects cells by it. What has no cells says why."""
+        """The histogram shows any cell array, stacks by texts, colors the mesh by it, and selects cells by it. What has no cells says why."""
         mesh, colored = self.folder / "row.vti", self.folder / "colored"
         gmsh = self.folder / "gmsh.msh"
         gmsh.write_text("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n")
         exodus, polyhedra = self.folder / "poly.exo", gallery.polyhedra()
         cells = [gallery.faces(polyhedra, i) for i in range(polyhedra.GetNumberOfCells())]
         mesh_files.write_exodus(exodus, gallery.points_of(polyhedra), cells)
-        write_row(mesh, numpy.array([20, 20.5, 21, 90]), ("Temperature",))
+        texts = ("rotor", "stator", "rotor", "rotor")
+        write_row(mesh, numpy.array([20, 20.5, 21, 90]), ("Temperature",), ("Zone", texts))
         array = """
 from paraview import simple
 with open(PATH, "w") as file:
@@ -94,6 +103,8 @@ with open(PATH, "w") as file:
             apply(),
             show_inspector(),
             event(card("Histogram", "Criterion"), "set_string", "Temperature"),
+            event(card("Histogram", "Group"), "set_string", "By Zone"),
+            check(PLOT, "groupCounts", "rotor 3, stator 1"),
             drag(85, 95),
             check(PLOT, "brushedCount", "1"),
             check(card("Histogram", "Brush"), "text", "1 of 4 cells selected (25\u00a0%)"),

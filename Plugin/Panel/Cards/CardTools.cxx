@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CardTools.h"
 
+#include "NumberText.h"
+
 #include "pqFileDialog.h"
 
 #include <QAbstractItemView>
 #include <QComboBox>
+#include <QCoreApplication>
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QLabel>
@@ -236,7 +239,7 @@ void FillPresets(QComboBox* box, const QString& none, const QVector<PresetInfo>&
     box->addItem(preset.Name, preset.Criteria);
     box->setItemData(place, preset.Description, DescriptionRole);
   }
-  GrayPresets(box, {}, QString());
+  GrayPresets(box, {});
   if (!dynamic_cast<PurposeDelegate*>(box->itemDelegate()))
   {
     box->setItemDelegate(new PurposeDelegate(box));
@@ -246,15 +249,25 @@ void FillPresets(QComboBox* box, const QString& none, const QVector<PresetInfo>&
 }
 
 //------------------------------------------------------------------------------
-void GrayPresets(QComboBox* box, const QStringList& names, const QString& reason)
+QString SpellWork(double seconds)
+{
+  constexpr double worthTelling = 1;
+  return seconds < worthTelling
+    ? QCoreApplication::translate("CardTools", "Evaluating...")
+    : QCoreApplication::translate("CardTools", "Evaluating: about %1").arg(FormatDuration(seconds));
+}
+
+//------------------------------------------------------------------------------
+void GrayPresets(QComboBox* box, const QMap<QString, QString>& reasons)
 {
   auto* items = qobject_cast<QStandardItemModel*>(box->model());
-  box->setProperty("grayed", names.join(", ")); // for GUI tests
+  box->setProperty("grayed", reasons.keys().join(", ")); // for GUI tests
   for (int place = 1; items && place < items->rowCount(); ++place)
   {
     static const QRegularExpression end("[.,:;]");
     QStandardItem* item = items->item(place);
-    const bool isFit = !names.contains(item->text());
+    const QString reason = reasons.value(item->text());
+    const bool isFit = reason.isEmpty();
     const QString description = item->data(DescriptionRole).toString();
     item->setEnabled(isFit);
     item->setToolTip(description);

@@ -56,8 +56,11 @@ void ShowText(QLabel* label, const QString& text);
 /// The data of an item are the names of its criteria.
 void FillPresets(QComboBox* box, const QString& none, const QVector<PresetInfo>& presets);
 
-/// Grays presets of such a list out, with the reason below their names.
-void GrayPresets(QComboBox* box, const QStringList& names, const QString& reason);
+/// What a card shows while criteria are evaluated, with the estimated time if it is worth telling.
+QString SpellWork(double seconds = 0);
+
+/// Grays presets of such a list out, with the reasons below their names.
+void GrayPresets(QComboBox* box, const QMap<QString, QString>& reasons);
 
 /// The purpose of the dialog of AskForPath.
 enum class PathKind

@@ -8,6 +8,7 @@
 #include "PanelColors.h"
 #include "pqInspectedMesh.h"
 #include "pqInspectorState.h"
+#include "pqMeshDisplay.h"
 #include "pqMeshQuestions.h"
 #include "pqMeshSelection.h"
 
@@ -136,8 +137,8 @@ pqElementCard::pqElementCard(pqInspectorState* state, QWidget* parent)
   QObject::connect(state, &pqInspectorState::elementChosen, this, &pqElementCard::showElement);
   QObject::connect(
     this->selection(), &pqMeshSelection::elementPicked, this, &pqElementCard::showPicked);
-  QObject::connect(this->Neighbors, &QLabel::linkActivated, this, [this](const QString& id)
-    { this->state()->showElement(id.toLongLong(), this->mesh()->idSpace()); });
+  QObject::connect(this->Neighbors, &QLabel::linkActivated, this,
+    [this](const QString& id) { this->goTo(id.toLongLong()); });
 }
 
 //------------------------------------------------------------------------------
@@ -148,12 +149,20 @@ void pqElementCard::goToText()
   const qint64 id = text.toLongLong(&isId);
   if (isId)
   {
-    this->state()->showElement(id, this->mesh()->idSpace());
+    this->goTo(id);
   }
   else
   {
     this->Summary->setText(tr("There is no %1 with the id %2.").arg(this->mesh()->element(), text));
   }
+}
+
+//------------------------------------------------------------------------------
+void pqElementCard::goTo(qint64 id)
+{
+  this->state()->showElement(id, this->mesh()->idSpace());
+  this->display()->flyTo(
+    this->questions()->locate(id, this->mesh()->idSpace()), this->state()->opensMesh());
 }
 
 //------------------------------------------------------------------------------

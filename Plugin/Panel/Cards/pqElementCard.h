@@ -35,6 +35,7 @@ private:
   Q_DISABLE_COPY(pqElementCard)
 
   void goToText();
+  void goTo(qint64 id);
   void showNeighbors();
   void showPicked();
   void showElement(qint64 id, const QString& idSpace);

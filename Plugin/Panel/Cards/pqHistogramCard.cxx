@@ -89,11 +89,8 @@ pqHistogramCard::pqHistogramCard(pqInspectorState* state, QWidget* parent)
   QObject::connect(this->filters(), &pqMeshFilters::evaluating, this,
     [this](double seconds)
     {
-      constexpr double worthSaying = 1;
       this->Plot->setData({});
-      this->Plot->setEmptyText(seconds < worthSaying
-          ? tr("Evaluating...")
-          : tr("Evaluating: about %1").arg(camaron::FormatDuration(seconds)));
+      this->Plot->setEmptyText(camaron::SpellWork(seconds));
       this->Plot->repaint(); // while it computes, nothing else does
     });
   QObject::connect(state, &pqInspectorState::limitsChanged, this,
@@ -153,7 +150,7 @@ void pqHistogramCard::showDistribution()
   const QString name = this->state()->criterion();
   this->Shown = {};
   const bool isComputed = this->mayCompute(!name.isEmpty());
-  this->Plot->setEmptyText(this->filters()->isEvaluating() ? tr("Evaluating...")
+  this->Plot->setEmptyText(this->filters()->isEvaluating() ? camaron::SpellWork()
       : name.isEmpty() ? tr("Evaluate a criterion to see its histogram")
       : isComputed     ? tr("No data")
                        : QString());

@@ -25,7 +25,8 @@ void pqHistogramCard::makeToolBar()
   this->Criterion->setObjectName("Criterion");
   this->Criterion->setToolTip(tr("Criterion or cell array whose distribution is shown"));
   this->Group->setObjectName("Group");
-  this->Group->setToolTip(tr("Stack the bars by cell type, block, or an integer array"));
+  this->Group->setToolTip(
+    tr("Stack the bars by cell type, block, or an array of integers or texts"));
   for (QComboBox* box : { this->Criterion, this->Group })
   {
     box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);

@@ -154,8 +154,8 @@ void pqInspectorCard::grayPresets(QComboBox* presets) const
 {
   const bool isKnown =
     this->mesh()->port() && this->mesh()->elementType() == "Cell" && this->State->mayCompute();
-  camaron::GrayPresets(presets, isKnown ? this->questions()->unfitPresets() : QStringList(),
-    tr("Not for the cells of this mesh"));
+  camaron::GrayPresets(
+    presets, isKnown ? this->questions()->unfitPresets() : QMap<QString, QString>());
 }
 
 //------------------------------------------------------------------------------

@@ -176,6 +176,12 @@ bool pqInspectorState::awaitsElements() const
 }
 
 //------------------------------------------------------------------------------
+QPair<double, double> pqInspectorState::limits() const
+{
+  return this->criterion().isEmpty() ? NoLimits : this->UserLimits.value_or(this->Acceptable);
+}
+
+//------------------------------------------------------------------------------
 void pqInspectorState::setAcceptable(double low, double high)
 {
   this->Acceptable = { low, high };

@@ -43,7 +43,7 @@ public:
 
   ///@{
   /// The range that the histogram and the colors of the mesh judge by; the acceptable range until
-  /// the user drags it. Changes can be undone.
+  /// the user drags it, infinite without a criterion. Changes can be undone.
   double low() const { return this->limits().first; }
   double high() const { return this->limits().second; }
   void setLimits(double low, double high);
@@ -76,6 +76,12 @@ public:
   /// Adds a line to the rules of the Check card.
   void addRule(const QString& line) { Q_EMIT this->ruleAdded(line); }
 
+  ///@{
+  /// Whether flights to elements open the mesh around them. Default: on.
+  void setOpensMesh(bool opens) { this->OpensMesh = opens; }
+  bool opensMesh() const { return this->OpensMesh; }
+  ///@}
+
   /// Shows the card of an element; the id is as in tables of the server.
   void showElement(qint64 id, const QString& idSpace) { Q_EMIT this->elementChosen(id, idSpace); }
 
@@ -101,7 +107,7 @@ private:
   void restoreLimits(const QString& key, const camaron::Limits& limits);
   QString keyOf(const QString& criterion) const { return this->ElementType + '/' + criterion; }
 
-  QPair<double, double> limits() const { return this->UserLimits.value_or(this->Acceptable); }
+  QPair<double, double> limits() const;
 
   const pqMeshServices& Services;
   QString ElementType = "Cell";
@@ -113,6 +119,7 @@ private:
   QMap<QString, QString> CriterionOf;      ///< the last one, by element type
   QPair<double, double> Acceptable;
   camaron::CheckRequest Checked;
+  bool OpensMesh = true;
   int AllowedVersion = -1; ///< of the cells
 };
 

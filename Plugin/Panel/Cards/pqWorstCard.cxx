@@ -8,6 +8,7 @@
 #include "pqInspectedMesh.h"
 #include "pqInspectorState.h"
 #include "pqMeshDisplay.h"
+#include "pqMeshFilters.h"
 #include "pqMeshQuestions.h"
 #include "pqMeshSelection.h"
 
@@ -149,6 +150,7 @@ pqWorstCard::pqWorstCard(pqInspectorState* state, QWidget* parent)
   QObject::connect(this->Open, &QToolButton::toggled, this,
     [this]
     {
+      this->state()->setOpensMesh(this->Open->isChecked());
       const QModelIndex current = this->shownTable()->currentIndex();
       if (current.isValid() && this->display()->canFlyBack())
       {
@@ -157,6 +159,14 @@ pqWorstCard::pqWorstCard(pqInspectorState* state, QWidget* parent)
     });
   QObject::connect(
     this->display(), &pqMeshDisplay::displayChanged, this, &pqWorstCard::refreshBack);
+  QObject::connect(this->filters(), &pqMeshFilters::evaluating, this,
+    [this](double seconds)
+    {
+      this->Cells->setTable({});
+      this->Places->setTable({});
+      this->Summary->setText(camaron::SpellWork(seconds));
+      this->repaint(); // while it computes, nothing else does
+    });
   QObject::connect(
     this->Rows, &QComboBox::currentIndexChanged, this, &pqWorstCard::refreshWhenVisible);
   QObject::connect(this->Number, &QSpinBox::valueChanged, this, &pqWorstCard::refreshWhenVisible);
@@ -233,9 +243,9 @@ void pqWorstCard::refresh()
     this->showSummary();
     return;
   }
-  this->Summary->setText(name.isEmpty()
-      ? tr("Evaluate a criterion to see its worst %1.").arg(elements)
-      : !isComputed ? QString()
+  this->Summary->setText(this->filters()->isEvaluating() ? camaron::SpellWork()
+      : name.isEmpty() ? tr("Evaluate a criterion to see its worst %1.").arg(elements)
+      : !isComputed    ? QString()
       : this->showsPlaces() && !hasLimits
       ? tr("%1 has no acceptable range: set limits in the card Histogram.").arg(label)
       : this->showsPlaces() ? tr("No %1 are outside the limits of %2.").arg(elements, label)
@@ -290,7 +300,7 @@ void pqWorstCard::goToRow(int row)
     location.GroupArray = this->state()->criterion();
     location.GroupLimits = this->state()->userLimits();
   }
-  this->display()->flyTo(location, this->Open->isChecked());
+  this->display()->flyTo(location, this->state()->opensMesh());
   this->state()->showElement(table.integer(row, idColumn), table.text(row, "IdSpace"));
   this->refreshBack();
 }

@@ -40,8 +40,9 @@ struct CriterionInfo
   double Ideal = std::numeric_limits<double>::quiet_NaN(); ///< NaN if there is none
   double Low = -std::numeric_limits<double>::infinity();   ///< infinite for no limit
   double High = std::numeric_limits<double>::infinity();
-  bool IsHint = false; ///< whether the range is common practice, not a limit
-  int Better = 0;      ///< 1 if larger values are better, -1 if smaller ones, 0 if neither
+  bool IsHint = false;   ///< whether the range is common practice, not a limit
+  bool IsCurved = false; ///< whether it follows the edges and faces of cells of higher order
+  int Better = 0;        ///< 1 if larger values are better, -1 if smaller ones, 0 if neither
 
   /// Whether there is an acceptable range.
   bool hasRange() const;

@@ -43,6 +43,7 @@ camaron::CriterionInfo ReadCriterion(const PanelTable& table, int row)
   info.Low = table.number(row, "AcceptableLow");
   info.High = table.number(row, "AcceptableHigh");
   info.IsHint = table.integer(row, "AcceptableIsHint") != 0;
+  info.IsCurved = table.integer(row, "IsCurved") != 0;
   const QString better = table.text(row, "Better");
   info.Better = better == "Bigger" ? 1 : better == "Smaller" ? -1 : 0;
   return info;
@@ -50,13 +51,13 @@ camaron::CriterionInfo ReadCriterion(const PanelTable& table, int row)
 
 constexpr const char* SelectedName = "Selected"; // see vtkSelectElements
 
-// Whether the values can be categories, as far as their range tells: whole numbers, and not as many
-// as there are ids.
+// Whether the values can be categories, as far as their range tells: texts, or whole numbers, and
+// not as many as there are ids.
 bool IsCategory(vtkPVArrayInformation& array, vtkTypeInt64 numberOfCells)
 {
   if (array.GetDataType() == VTK_STRING)
   {
-    return false;
+    return true;
   }
   constexpr double mostGroups = 1000; // of Quality Statistics
   const double* range = array.GetComponentRange(0);
@@ -175,9 +176,10 @@ const QVector<camaron::PresetInfo>& pqMeshQuestions::presets() const
 }
 
 //------------------------------------------------------------------------------
-QStringList pqMeshQuestions::unfitPresets() const
+QMap<QString, QString> pqMeshQuestions::unfitPresets() const
 {
   const QStringList present = this->shapes();
+  const bool isLinear = !present.isEmpty() && !this->hasHigherOrder();
   // The size of a cell says nothing about its shape.
   const QStringList sizes = { "Area", "Volume" };
   const auto fits = [&](const QString& criterion, const QString& shapes)
@@ -191,7 +193,12 @@ QStringList pqMeshQuestions::unfitPresets() const
             (shapes.isEmpty() || camaron::IsAmong(shape, shapes));
         });
   };
-  QStringList unfit;
+  const auto isCurved = [&](const QString& criterion)
+  {
+    const camaron::CriterionInfo* info = this->criterion(criterion);
+    return info && info->IsCurved;
+  };
+  QMap<QString, QString> unfit;
   for (const camaron::PresetInfo& preset : this->presets())
   {
     bool isFit = present.isEmpty();
@@ -199,7 +206,14 @@ QStringList pqMeshQuestions::unfitPresets() const
     {
       isFit = isFit || fits(preset.Criteria[i], preset.Shapes[i]);
     }
-    unfit += isFit ? QStringList() : QStringList(preset.Name);
+    if (!isFit)
+    {
+      unfit[preset.Name] = tr("Not for the cells of this mesh");
+    }
+    else if (isLinear && std::all_of(preset.Criteria.begin(), preset.Criteria.end(), isCurved))
+    {
+      unfit[preset.Name] = tr("Only for cells of second or higher order");
+    }
   }
   return unfit;
 }

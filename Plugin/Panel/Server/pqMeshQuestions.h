@@ -60,8 +60,8 @@ public:
   const camaron::CriterionInfo* criterion(const QString& name) const;
   const QVector<camaron::PresetInfo>& presets() const;
 
-  /// Names of presets that judge the shape of none of the cells of the mesh.
-  QStringList unfitPresets() const;
+  /// Presets that judge none of the cells of the mesh: why, by their names.
+  QMap<QString, QString> unfitPresets() const;
 
   /// Bits of CellStatus: columns Bit, Name, Description, Invalid.
   const camaron::PanelTable& statusBits() const { return this->registry(4); }
@@ -94,9 +94,15 @@ public:
   /// Criteria whose acceptable range a cell violates.
   QStringList failing(qint64 id, const QString& idSpace) const;
 
+  /// Where an element is; not finite if there is no such element, or its points are not finite.
+  camaron::Location locate(qint64 id, const QString& idSpace) const;
+
   /// The shapes of the cells by their topology, as types of VTK such as "Hexahedron", also for
   /// polyhedra that have it.
   QStringList shapes() const;
+
+  /// Whether some cells are of second or higher order.
+  bool hasHigherOrder() const;
 
   /// Whether all cells of a small mesh are polygons: neighbors share edges then.
   bool isSurface() const;
@@ -150,6 +156,9 @@ private:
   QVector<camaron::Distribution> fetchDistributions(vtkSMSourceProxy* statistics,
     const QStringList& arrays, const camaron::DistributionRequest& request, bool hasWeights) const;
   camaron::PanelTable checkProblems(vtkSMSourceProxy* check) const;
+
+  /// Names of the groups of cells by "Cell type", or by "Cell array": VTK's types of their shapes.
+  QStringList groupsOfShapes(const char* groupBy) const;
 
   pqInspectedMesh* Mesh;
   mutable std::optional<camaron::MeshSummary> Summary; // of the data so far

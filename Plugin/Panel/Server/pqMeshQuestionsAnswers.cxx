@@ -13,11 +13,17 @@
 #include "pqPipelineSource.h"
 #include "pqServer.h"
 
+#include "vtkBoundingBox.h"
+#include "vtkPVDataInformation.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMSessionProxyManager.h"
 #include "vtkSMSourceProxy.h"
 
+#include <QRegularExpression>
+
 #include <algorithm>
+#include <iterator>
+#include <limits>
 
 namespace
 {
@@ -91,27 +97,46 @@ camaron::ValidityInfo pqMeshQuestions::validity() const
 }
 
 //------------------------------------------------------------------------------
-QStringList pqMeshQuestions::shapes() const
+QStringList pqMeshQuestions::groupsOfShapes(const char* groupBy) const
 {
   const QString array = "CellFamilyId";
   const camaron::Helper evaluated = this->cellsHelper("ElementQuality", "Shapes");
-  const camaron::Helper statistics =
-    evaluated ? this->filterHelper("QualityStatistics", "Shapes", evaluated) : nullptr;
+  const camaron::Helper statistics = evaluated
+    ? this->filterHelper("QualityStatistics", QByteArray("Shapes") + groupBy, evaluated)
+    : nullptr;
   if (!statistics)
   {
     return {};
   }
   camaron::SetProperties(evaluated, { { "Criteria", QVariantList{ array, "1" } } });
   camaron::SetProperties(statistics,
-    { { "Arrays", array }, { "NumberOfBins", 1 }, { "NumberOfWorst", 0 },
-      { "GroupBy", QString("Cell array") }, { "GroupArray", array } });
+    { { "Arrays", array }, { "NumberOfBins", 1 }, { "NumberOfWorst", 0 }, { "GroupBy", groupBy },
+      { "GroupArray", array } });
+  QStringList groups;
+  for (const auto& group : CountGroups(this->Mesh->helpers().fetch(statistics, 0)))
+  {
+    groups << group.Name;
+  }
+  return groups;
+}
+
+//------------------------------------------------------------------------------
+bool pqMeshQuestions::hasHigherOrder() const
+{
+  static const QRegularExpression order("Quadratic|Cubic|HigherOrder|Lagrange|Bezier|Parametric");
+  return !this->groupsOfShapes("Cell type").filter(order).isEmpty();
+}
+
+//------------------------------------------------------------------------------
+QStringList pqMeshQuestions::shapes() const
+{
   static const QMap<QString, QString> names = { { "5", "Triangle" }, { "7", "Polygon" },
     { "9", "Quad" }, { "10", "Tetra" }, { "12", "Hexahedron" }, { "13", "Wedge" },
     { "14", "Pyramid" }, { "42", "Polyhedron" } }; // VTK's types for the families
   QStringList shapes;
-  for (const auto& group : CountGroups(this->Mesh->helpers().fetch(statistics, 0)))
+  for (const QString& group : this->groupsOfShapes("Cell array"))
   {
-    shapes += names.contains(group.Name) ? QStringList(names[group.Name]) : QStringList();
+    shapes += names.contains(group) ? QStringList(names[group]) : QStringList();
   }
   return shapes;
 }
@@ -152,6 +177,27 @@ camaron::PanelTable pqMeshQuestions::elementWithNeighbors(qint64 id, const QStri
     }
   }
   return rows;
+}
+
+//------------------------------------------------------------------------------
+camaron::Location pqMeshQuestions::locate(qint64 id, const QString& idSpace) const
+{
+  camaron::Location location;
+  location.Id = QString::number(id);
+  location.IdSpace = idSpace;
+  std::fill(std::begin(location.Center), std::end(location.Center),
+    std::numeric_limits<double>::quiet_NaN());
+  const camaron::Helper element = this->extracted(location, "Target");
+  if (element && this->Mesh->helpers().update(element))
+  {
+    const vtkBoundingBox box(element->GetDataInformation(0)->GetBounds());
+    if (box.IsValid())
+    {
+      box.GetCenter(location.Center);
+      location.Size = box.GetDiagonalLength();
+    }
+  }
+  return location;
 }
 
 //------------------------------------------------------------------------------
