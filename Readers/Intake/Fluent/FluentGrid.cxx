@@ -104,14 +104,17 @@ private:
 };
 
 //------------------------------------------------------------------------------
-// Appends values, with room for those of the whole file if these are from a share of it.
+// Appends values, with room for more: for those of the whole file, if these are from a share of it
+// and as large as the others.
 void Append(const std::vector<std::int32_t>& more, double share, vtkIdType& size,
   Buffer<std::int32_t>& values)
 {
   const auto needed = size + static_cast<vtkIdType>(more.size());
   if (needed > values.size())
   {
-    Buffer<std::int32_t> larger(static_cast<vtkIdType>(static_cast<double>(needed) / share));
+    constexpr double Most = 4; // times as many
+    Buffer<std::int32_t> larger(
+      static_cast<vtkIdType>(static_cast<double>(needed) * std::min(Most, 1 / share)));
     std::copy_n(values.data(), size, larger.data());
     values = std::move(larger);
   }
