@@ -31,14 +31,14 @@ void HDF5Column::Open(const HDF5Object& group, const char* what, std::int64_t la
       section.Path = data.GetPath();
       if (wanted > 0)
       {
-        this->Columns =
-          this->Columns > 0 ? this->Columns : std::max<std::int64_t>(data.GetColumns(), 1);
+        this->Columns = this->Columns > 0 ? this->Columns : data.GetColumns();
         data.CheckColumns(this->Columns);
         this->Single = this->Single && data.GetValueSize() <= static_cast<int>(sizeof(float));
       }
     }
     this->Add(std::move(section));
   }
+  this->Columns = std::max<std::int64_t>(this->Columns, 1); // also without sections
   this->Finish(group, what, last, isComplete);
 }
 

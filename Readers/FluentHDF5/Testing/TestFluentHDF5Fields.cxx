@@ -194,6 +194,26 @@ TEST(FluentHDF5Fields, NoDataFile)
 }
 
 //------------------------------------------------------------------------------
+// If this fails, a field whose only section has no cells crashes the reader.
+TEST(FluentHDF5Fields, WithoutCells)
+{
+  const std::string data = ChangeContainer(EncodeResults(6),
+    [](const ContainerWriting& writing)
+    {
+      const std::string section = "results/1/phase-1/cells/SV_P/1";
+      writing.Data(section, std::vector<double>(), H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE);
+      writing.Number(section, "minId", 1);
+      writing.Number(section, "maxId", 0);
+    });
+  const Result result = ReadResults(EncodeContainer(MakeChain(6)), data, { "SV_P" });
+  ASSERT_TRUE(result.Errors.empty()) << result.Errors[0];
+  vtkDataArray* const values = result.Grid->GetCellData()->GetArray("SV_P");
+  ASSERT_TRUE(values);
+  EXPECT_EQ(values->GetNumberOfTuples(), 6);
+  EXPECT_TRUE(std::isnan(values->GetComponent(0, 0)));
+}
+
+//------------------------------------------------------------------------------
 // If this fails, wrong data files lead out of arrays, need too much memory, or give cells wrong
 // values.
 TEST(FluentHDF5Fields, Damage)
