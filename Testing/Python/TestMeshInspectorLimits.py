@@ -206,6 +206,9 @@ class TestMeshInspectorLimits(WindowTestCase):
             words = shlex.split(html.unescape(command))
             done = camaron_testing.run_command(*words[1:-2], cwd=report)
             self.assertIn(f"By criterion: {failing} cells", done.stdout)
+        # As many as the column Bad counts, by the same ranges.
+        bad = [f"{c['name']} {c['out_of_range']}" for c in criteria.values() if c["out_of_range"]]
+        self.play(*events[:-2], check(card("Criteria", "Tree"), "badCounts", ", ".join(bad)))
         shutil.rmtree(report)
         self.replay(trace, "")
         again = json.loads((report / "summary.json").read_text("utf-8"))

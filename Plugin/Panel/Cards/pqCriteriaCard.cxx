@@ -88,7 +88,7 @@ pqCriteriaCard::pqCriteriaCard(pqInspectorState* state, QWidget* parent)
     [this](const QString& name)
     {
       const pqScopedOverrideCursor waiting(Qt::WaitCursor);
-      this->selection()->selectOutside(name);
+      this->selection()->selectOutside(name, this->state()->userLimitsOf(name));
     });
   QObject::connect(this->Elements, &QComboBox::currentIndexChanged, this,
     [this]
@@ -106,14 +106,15 @@ pqCriteriaCard::pqCriteriaCard(pqInspectorState* state, QWidget* parent)
       this->Tree->clear();
       this->refreshWhenVisible();
     });
-  QObject::connect(this->selection(), &pqMeshSelection::selectionChanged, this,
-    [this]
+  const auto showLater = [this]
+  {
+    if (this->isVisible() && this->isOpen() && this->state()->mayCompute())
     {
-      if (this->isVisible() && this->isOpen() && this->state()->mayCompute())
-      {
-        this->AfterPicture.start();
-      }
-    });
+      this->AfterPicture.start();
+    }
+  };
+  QObject::connect(this->selection(), &pqMeshSelection::selectionChanged, this, showLater);
+  QObject::connect(state, &pqInspectorState::limitsChanged, this, showLater);
   QObject::connect(&this->AfterPicture, &QTimer::timeout, this, &pqCriteriaCard::showDistributions);
   QObject::connect(state, &pqInspectorState::criterionChanged, this,
     [this] { this->Tree->setCurrentCriterion(this->state()->criterion()); });
@@ -199,6 +200,7 @@ void pqCriteriaCard::showDistributions()
   camaron::DistributionRequest request;
   constexpr int bins = 40;
   request.Bins = bins;
+  request.Ranges = this->elementType() == "Cell" ? this->state()->userRanges() : QStringList();
   QVector<camaron::Distribution> found;
   if (this->mayCompute(!evaluated.isEmpty()))
   {
@@ -216,7 +218,12 @@ void pqCriteriaCard::showDistributions()
       }
     }
   }
-  this->Tree->setDistributions(found, this->mesh()->elements());
+  QStringList own;
+  for (const QString& range : std::as_const(request.Ranges))
+  {
+    own << range.section(' ', 0, 0);
+  }
+  this->Tree->setDistributions(found, this->mesh()->elements(), own);
 }
 
 //------------------------------------------------------------------------------

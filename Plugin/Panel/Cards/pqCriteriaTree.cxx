@@ -269,8 +269,8 @@ void pqCriteriaTree::setTicksText(const QString& text)
 }
 
 //------------------------------------------------------------------------------
-void pqCriteriaTree::setDistributions(
-  const QVector<camaron::Distribution>& distributions, const QString& elements)
+void pqCriteriaTree::setDistributions(const QVector<camaron::Distribution>& distributions,
+  const QString& elements, const QStringList& own)
 {
   const QSignalBlocker blocker(this);
   QMap<QString, const camaron::Distribution*> known;
@@ -294,10 +294,11 @@ void pqCriteriaTree::setDistributions(
     item->setData(Outside, VerdictRole, QVariant());
     QFont font = this->font();
     item->setFont(Outside, font);
-    if (shown && shown->Judged > 0 && infos[name]->hasRange())
+    if (shown && shown->Judged > 0 && shown->hasRange())
     {
       const qint64 failing = shown->failing();
-      const Verdict bad = infos[name]->IsHint ? Warns : Fails;
+      const bool warns = infos[name]->IsHint && !own.contains(name);
+      const Verdict bad = warns ? Warns : Fails;
       item->setText(Outside, failing == 0 ? QString("✔") : camaron::GroupedInteger(failing));
       font.setUnderline(failing > 0); // as a link
       item->setFont(Outside, font);
@@ -305,12 +306,27 @@ void pqCriteriaTree::setDistributions(
       item->setToolTip(Outside,
         tr(failing == 0 ? "%1 of %2 %3: %4" : "%1 of %2 %3: %4; click to select them")
           .arg(camaron::GroupedInteger(failing), camaron::GroupedInteger(shown->Count), elements,
-            failing == 0            ? tr("pass")
-              : infos[name]->IsHint ? tr("warning")
-                                    : tr("fail")));
+            failing == 0 ? tr("pass")
+              : warns    ? tr("warning")
+                         : tr("fail")));
     }
   }
   this->viewport()->update();
+}
+
+//------------------------------------------------------------------------------
+QString pqCriteriaTree::badCounts() const
+{
+  QStringList counts;
+  for (const QTreeWidgetItem* item : this->items())
+  {
+    const QVariant verdict = item->data(Outside, VerdictRole);
+    if (verdict.isValid() && verdict.toInt() != Passes)
+    {
+      counts << item->data(Label, NameRole).toString() + ' ' + item->text(Outside);
+    }
+  }
+  return counts.join(", ");
 }
 
 //------------------------------------------------------------------------------

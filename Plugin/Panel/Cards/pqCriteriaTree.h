@@ -22,6 +22,8 @@ class pqCriteriaTree : public QTreeWidget
   Q_PROPERTY(QString ticks READ ticksText WRITE setTicksText)
   /// The number of selected elements in each small histogram, as far as they differ; for GUI tests.
   Q_PROPERTY(QString selectedCounts READ selectedCounts)
+  /// Names of criteria that some elements fail, each with their number; for GUI tests.
+  Q_PROPERTY(QString badCounts READ badCounts)
 
 public:
   explicit pqCriteriaTree(QWidget* parent = nullptr);
@@ -40,11 +42,13 @@ public:
   /// No more than the minimum, so that other cards are seen beside it; it grows in a high window.
   QSize sizeHint() const override { return this->minimumSize(); }
 
-  /// Shows histograms and counts; criteria without any lose theirs. @a elements: noun for tooltips.
-  void setDistributions(
-    const QVector<camaron::Distribution>& distributions, const QString& elements);
+  /// Shows histograms and counts; criteria without any lose theirs. @a elements: noun for tooltips;
+  /// @a own: criteria whose range the user has set, so that it is no hint.
+  void setDistributions(const QVector<camaron::Distribution>& distributions,
+    const QString& elements, const QStringList& own);
 
   QString selectedCounts() const;
+  QString badCounts() const;
 
   /// Marks a criterion as the current one without a signal.
   void setCurrentCriterion(const QString& name);

@@ -11,6 +11,7 @@
 #include "pqMeshDisplay.h"
 #include "pqMeshQuestions.h"
 #include "pqMeshSelection.h"
+#include "pqMeshServices.h"
 
 #include "pqScopedOverrideCursor.h"
 
@@ -53,8 +54,9 @@ QString SpellStatus(qint64 status, const pqMeshQuestions& questions)
 // A row per array of the element: criteria that fail or warn, others in the order of the registry,
 // other arrays, and last criteria without a value.
 PanelTable Transpose(
-  const PanelTable& element, const QStringList& bad, const pqMeshQuestions& questions)
+  const PanelTable& element, const QStringList& bad, const pqInspectorState& state)
 {
+  const pqMeshQuestions& questions = *state.services().Questions;
   PanelTable rows;
   rows.Columns = QStringList{ "Label", "Value", "Unit", "Verdict" };
   QStringList columns = questions.evaluated();
@@ -70,7 +72,8 @@ PanelTable Transpose(
   for (const QString& column : std::as_const(columns))
   {
     const camaron::CriterionInfo* info = questions.criterion(column);
-    const QString verdict = !info || !bad.contains(column) ? "" : info->IsHint ? "warn" : "fail";
+    const bool isHint = info && info->IsHint && !state.userLimitsOf(column);
+    const QString verdict = !info || !bad.contains(column) ? "" : isHint ? "warn" : "fail";
     const QVariant value = column == "CellStatus"
       ? QVariant(SpellStatus(element.integer(0, column), questions))
       : element.value(0, column);
@@ -135,6 +138,8 @@ pqElementCard::pqElementCard(pqInspectorState* state, QWidget* parent)
   this->contentLayout()->addWidget(this->Neighbors);
   QObject::connect(this->Id, &QLineEdit::returnPressed, this, &pqElementCard::goToText);
   QObject::connect(state, &pqInspectorState::elementChosen, this, &pqElementCard::showElement);
+  QObject::connect(
+    state, &pqInspectorState::limitsChanged, this, &pqElementCard::refreshWhenVisible);
   QObject::connect(
     this->selection(), &pqMeshSelection::elementPicked, this, &pqElementCard::showPicked);
   QObject::connect(this->Neighbors, &QLabel::linkActivated, this,
@@ -229,8 +234,9 @@ void pqElementCard::refresh()
   this->Summary->setText(tr("%1 %2: %3 at %4, %5, %6")
       .arg(noun, this->Wanted, camaron::CellTypeName(element.text(0, "CellType")), number("X"),
         number("Y"), number("Z")));
-  const QStringList bad = this->questions()->failing(this->Wanted.toLongLong(), this->IdSpace);
-  this->Values->setTable(Transpose(element, bad, *this->questions()));
+  const QStringList bad = this->questions()->failing(
+    this->Wanted.toLongLong(), this->IdSpace, this->state()->userRanges());
+  this->Values->setTable(Transpose(element, bad, *this->state()));
   this->NeighborIds.clear();
   for (int row = 1; row < element.size(); ++row)
   {

@@ -263,6 +263,36 @@ QString pqInspectorState::rule() const
 }
 
 //------------------------------------------------------------------------------
+QMap<QString, camaron::Limits> pqInspectorState::allLimits() const
+{
+  QMap<QString, camaron::Limits> limits = this->LimitsOf;
+  limits[this->keyOf(this->Criterion)] = this->UserLimits;
+  return limits;
+}
+
+//------------------------------------------------------------------------------
+camaron::Limits pqInspectorState::userLimitsOf(const QString& criterion) const
+{
+  return this->allLimits().value(this->keyOf(criterion));
+}
+
+//------------------------------------------------------------------------------
+QStringList pqInspectorState::userRanges() const
+{
+  QStringList lines;
+  const QMap<QString, camaron::Limits> limits = this->allLimits();
+  for (auto item = limits.cbegin(); item != limits.cend(); ++item)
+  {
+    const QString element = item.key().section('/', 0, 0), name = item.key().section('/', 1);
+    if (element == "Cell" && item.value() && IsCriterion(*this->Services.Questions, element, name))
+    {
+      lines << SpellRange(name, *item.value());
+    }
+  }
+  return lines;
+}
+
+//------------------------------------------------------------------------------
 camaron::ReportRequest pqInspectorState::reportRequest() const
 {
   camaron::ReportRequest request;
@@ -272,8 +302,7 @@ camaron::ReportRequest pqInspectorState::reportRequest() const
   {
     known << line.section('#', 0, 0).simplified(); // the same rule twice is an error
   }
-  QMap<QString, camaron::Limits> dragged = this->LimitsOf;
-  dragged[this->keyOf(this->Criterion)] = this->UserLimits;
+  const QMap<QString, camaron::Limits> dragged = this->allLimits();
   for (auto item = dragged.cbegin(); item != dragged.cend(); ++item)
   {
     const QString criterion = item.key().section('/', 1);
@@ -287,11 +316,8 @@ camaron::ReportRequest pqInspectorState::reportRequest() const
     {
       lines << line;
     }
-    if (element == "Cell")
-    {
-      request.Ranges << SpellRange(criterion, *item.value());
-    }
   }
   request.Rules.Rules = lines.join('\n');
+  request.Ranges = this->userRanges();
   return request;
 }

@@ -63,6 +63,13 @@ public:
   /// The range that the user dragged; none while it is that of the criterion.
   const camaron::Limits& userLimits() const { return this->UserLimits; }
 
+  ///@{
+  /// All ranges that the user has set: of a criterion of the elements of the mesh, and those of
+  /// cells as lines of a file of ranges (Core/Criteria/RangesFile.h).
+  camaron::Limits userLimitsOf(const QString& criterion) const;
+  QStringList userRanges() const;
+  ///@}
+
   /// The range as a rule for `camaron check`; empty without limits or criterion.
   QString rule() const;
 
@@ -108,6 +115,7 @@ private:
   QString keyOf(const QString& criterion) const { return this->ElementType + '/' + criterion; }
 
   QPair<double, double> limits() const;
+  QMap<QString, camaron::Limits> allLimits() const;
 
   const pqMeshServices& Services;
   QString ElementType = "Cell";

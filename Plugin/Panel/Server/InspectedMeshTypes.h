@@ -90,6 +90,7 @@ struct DistributionRequest
   QString GroupArray;
   bool CountsSelected = false;       ///< groups, and Selected, are of those only
   QString Preset = "Default ranges"; ///< of acceptable ranges
+  QStringList Ranges;                ///< of the user, as lines of a file of ranges
   QVector<double> CurveValues;       ///< where the cumulative curve must be exact
   int CurvePoints = 0;               ///< further points of the curve
 };
@@ -109,12 +110,11 @@ struct Distribution
   HistogramData Histogram;
   CumulativeCounts Cumulative;
 
-  /// Whether there is an acceptable range, but not for all cells that the criterion applies to.
-  bool hasNotJudged() const
-  {
-    return this->Judged < this->Applicable &&
-      (std::isfinite(this->Low) || std::isfinite(this->High));
-  }
+  /// Whether there is an acceptable range for some of the cells.
+  bool hasRange() const { return std::isfinite(this->Low) || std::isfinite(this->High); }
+
+  /// Whether there is one, but not for all cells that the criterion applies to.
+  bool hasNotJudged() const { return this->Judged < this->Applicable && this->hasRange(); }
 
   /// Cells that fail a check of the acceptable range.
   qint64 failing() const { return this->JudgedUndefined + this->Below + this->Above; }

@@ -92,7 +92,7 @@ public:
   camaron::PanelTable elementWithNeighbors(qint64 id, const QString& idSpace) const;
 
   /// Criteria whose acceptable range a cell violates.
-  QStringList failing(qint64 id, const QString& idSpace) const;
+  QStringList failing(qint64 id, const QString& idSpace, const QStringList& ranges) const;
 
   /// Where an element is; not finite if there is no such element, or its points are not finite.
   camaron::Location locate(qint64 id, const QString& idSpace) const;

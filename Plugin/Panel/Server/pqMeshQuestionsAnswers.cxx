@@ -211,7 +211,8 @@ QString pqMeshQuestions::selectedId() const
 }
 
 //------------------------------------------------------------------------------
-QStringList pqMeshQuestions::failing(qint64 id, const QString& idSpace) const
+QStringList pqMeshQuestions::failing(
+  qint64 id, const QString& idSpace, const QStringList& ranges) const
 {
   camaron::Location location;
   location.Id = QString::number(id);
@@ -220,6 +221,7 @@ QStringList pqMeshQuestions::failing(qint64 id, const QString& idSpace) const
   const camaron::Helper statistics = this->filterHelper("QualityStatistics", "Judged", element);
   camaron::DistributionRequest request;
   request.Bins = 1;
+  request.Ranges = ranges;
   QStringList names;
   if (element && statistics)
   {

@@ -55,8 +55,9 @@ QMap<QString, QVariant> ToProperties(
     { "HistogramRange", request.HasRange ? "Custom" : "All elements" },
     { "CustomRange", QVariantList{ request.Range[0], request.Range[1] } },
     { "BinEdges", QVariantList(request.Edges.begin(), request.Edges.end()) },
-    { "Preset", request.Preset }, { "OnlySelected", request.CountsSelected },
-    { "GroupBy", request.GroupBy }, { "GroupArray", request.GroupArray },
+    { "Preset", request.Preset }, { "Ranges", request.Ranges.join('\n') },
+    { "OnlySelected", request.CountsSelected }, { "GroupBy", request.GroupBy },
+    { "GroupArray", request.GroupArray },
     { "CurveValues", QVariantList(request.CurveValues.begin(), request.CurveValues.end()) },
     { "CurvePoints", request.CurvePoints }, { "NumberOfWorst", 0 }, { "Quantiles", QVariantList() },
     { "Moments", 0 } };
