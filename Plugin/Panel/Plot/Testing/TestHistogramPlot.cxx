@@ -185,7 +185,9 @@ void TestHistogramPlot::WholeNumbers()
     camaron::HistogramScene scene;
     scene.Data.Edges = edges;
     scene.Data.Groups.resize(1);
-    scene.Data.Groups[0].Counts.assign(scene.Data.GetNumberOfColumns(), 1);
+    std::vector<qint64>& counts = scene.Data.Groups[0].Counts;
+    counts.resize(scene.Data.GetNumberOfColumns());
+    std::fill_n(counts.begin() + scene.Data.GetColumnOfBin(0), edges.size() - 1, 1);
     scene.Place({ 400, 200 }, QFont(), 1);
     QStringList labels;
     for (const camaron::Tick& tick : scene.ValueTicks)
