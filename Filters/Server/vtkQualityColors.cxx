@@ -8,7 +8,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <vector>
 
 vtkStandardNewMacro(vtkQualityColors);
 
@@ -41,6 +43,27 @@ void SetColor(vtkDoubleArray* array, const ColorOfPoint& color)
   {
     array->InsertNextValue(channel);
   }
+}
+
+// At most so many multiples of 1, 2 or 5 times a power of ten.
+std::vector<double> GetRoundNumbers(double low, double high, int most)
+{
+  const double power = std::pow(10, std::floor(std::log10((high - low) / most)));
+  std::vector<double> numbers;
+  for (const int factor : { 1, 2, 5, 10 })
+  {
+    const double step = factor * power;
+    const double first = std::ceil(low / step), last = std::floor(high / step);
+    if (last - first < most)
+    {
+      for (double i = first; i <= last; ++i)
+      {
+        numbers.push_back(i * step);
+      }
+      break;
+    }
+  }
+  return numbers;
 }
 
 // Between two values, of which the lower one is the worst if @a isLow, else the higher one.
@@ -138,6 +161,56 @@ vtkDoubleArray* vtkQualityColors::GetPoints()
 }
 
 //------------------------------------------------------------------------------
+std::array<double, 2> vtkQualityColors::GetEnds()
+{
+  constexpr int size = 4; // of a point
+  vtkDoubleArray* points = this->GetPoints();
+  return { { points->GetValue(0), points->GetValue(points->GetNumberOfValues() - size) } };
+}
+
+//------------------------------------------------------------------------------
+vtkDoubleArray* vtkQualityColors::GetLabels()
+{
+  const std::array<double, 2> ends = this->GetEnds();
+  constexpr double room = 0.1; // for a label, in a legend of a third of a view
+  constexpr int most = 7;
+  std::vector<double> labels;
+  const auto add = [&](double value)
+  {
+    const auto isNear = [&](double label)
+    { return std::abs(label - value) < room * (ends[1] - ends[0]); };
+    if (value >= ends[0] && value <= ends[1] && std::none_of(labels.begin(), labels.end(), isNear))
+    {
+      labels.push_back(value);
+    }
+  };
+  std::for_each(std::begin(this->Acceptable), std::end(this->Acceptable), add);
+  std::for_each(ends.begin(), ends.end(), add);
+  const std::vector<double> numbers = GetRoundNumbers(ends[0], ends[1], most);
+  std::for_each(numbers.begin(), numbers.end(), add);
+  std::sort(labels.begin(), labels.end());
+  this->Labels->Reset();
+  for (const double label : labels)
+  {
+    this->Labels->InsertNextValue(label);
+  }
+  return this->Labels;
+}
+
+//------------------------------------------------------------------------------
+int vtkQualityColors::GetLabelDigits()
+{
+  const std::array<double, 2> ends = this->GetEnds();
+  const double largest = std::max(std::abs(ends[0]), std::abs(ends[1]));
+  const int power = static_cast<int>(std::floor(std::log10(largest)));
+  const bool areWhole = ends[0] == std::floor(ends[0]) && ends[1] == std::floor(ends[1]);
+  constexpr int few = 3, many = 15;
+  const int powerOfSpan = static_cast<int>(std::floor(std::log10(ends[1] - ends[0])));
+  const int powerOfLast = std::min(powerOfSpan - few + 1, areWhole ? 0 : power);
+  return std::clamp(power - powerOfLast + 1, few, many);
+}
+
+//------------------------------------------------------------------------------
 bool vtkQualityColors::IsBeyond(const double color[3])
 {
   constexpr double rounding = 1e-6; // of states
@@ -168,6 +241,6 @@ const char* vtkQualityColors::GetUndefinedText() const
 {
   // Annotations are centered: the empty line moves the second one beside its swatch.
   return !this->HasNotJudged ? "undefined"
-    : this->HasUndefined     ? "not judged\nundefined\n "
+    : this->HasUndefined     ? "not judged \u2013\nundefined \u2013\n "
                              : "not judged";
 }

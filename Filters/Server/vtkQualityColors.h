@@ -17,6 +17,8 @@
 #include "vtkNew.h"               // for the points
 #include "vtkObject.h"
 
+#include <array> // for the ends
+
 class vtkDoubleArray;
 
 class CAMARONFILTERS_EXPORT vtkQualityColors : public vtkObject
@@ -57,6 +59,13 @@ public:
   /// Value, red, green and blue of the control points, to be interpolated in the color space RGB.
   vtkDoubleArray* GetPoints();
 
+  /// Values that a legend labels: the limits, the ends of the map and round numbers, as far as they
+  /// have room.
+  vtkDoubleArray* GetLabels();
+
+  /// The significant digits of these labels: three, or as many as tell them apart.
+  int GetLabelDigits();
+
   /// Whether a control point of this color is beyond a limit.
   static bool IsBeyond(const double color[3]);
 
@@ -79,12 +88,16 @@ private:
   vtkQualityColors(const vtkQualityColors&) = delete;
   void operator=(const vtkQualityColors&) = delete;
 
+  /// The first and the last value of the map.
+  std::array<double, 2> GetEnds();
+
   double Range[2] = { 0, 1 };
   double Acceptable[2];
   int Better = 0;
   bool HasUndefined = false;
   bool HasNotJudged = false;
   vtkNew<vtkDoubleArray> Points;
+  vtkNew<vtkDoubleArray> Labels;
   vtkNew<vtkDoubleArray> UndefinedColor;
   vtkNew<vtkDoubleArray> NotJudgedColor;
 };

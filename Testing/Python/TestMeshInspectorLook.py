@@ -38,9 +38,11 @@ LEGEND = (
     "Title",
     "ComponentTitle",
     "DrawNanAnnotation",
-    "AddRangeLabels",
-    "RangeLabelFormat",
     "UseCustomLabels",
+    "AddRangeLabels",
+    "CustomLabels",
+    "LabelFormat",
+    "NanAnnotation",
 )
 
 #: Writes properties of the legend of the current criterion and of the bar chart.
@@ -67,6 +69,7 @@ with open(PATH, "w") as file:
                      (r.SMProxy.GetProperty("SeriesVisibility") for r in charts[0].Representations)],
         },
         file,
+        default=list,
     )
 """
 
@@ -110,13 +113,15 @@ os.environ["CAMARON_VIEW"] = MESH
 runpy.run_path(SCRIPT)
 """
 
-#: Writes the look of edges.
+#: Writes the look of a mesh without a criterion.
 EDGES = """
 import json
 from paraview import simple
 display = simple.GetDisplayProperties(simple.GetActiveSource())
 with open(PATH, "w") as file:
-    json.dump([*display.EdgeColor, display.EdgeOpacity], file)
+    edges = [*display.EdgeColor, display.EdgeOpacity]
+    surface = [*display.DiffuseColor, *display.AmbientColor, display.Ambient, display.Diffuse]
+    json.dump([edges, surface], file)
 """
 
 #: Draws the surface alone with the edges of ParaView's default.
@@ -139,12 +144,46 @@ with open(PATH, "a") as file:
     file.write(json.dumps([*marks, legend.NanAnnotation, colors]) + "\\n")
 """
 
+#: Adds to a file where the legend is in the view, and whether it has labels of its own.
+PLACES = """
+import json
+from paraview import simple
+view = simple.GetActiveView()
+legend = simple.GetScalarBar(simple.GetDisplayProperties(simple.GetActiveSource()).LookupTable, view)
+with open(PATH, "a") as file:
+    pixels = [x * size for x, size in zip(legend.Position, view.ViewSize)]
+    labels = [legend.UseCustomLabels, legend.AddRangeLabels]
+    file.write(json.dumps([view.ViewSize[0], *pixels, labels]) + "\\n")
+"""
+
+#: Moves the legend as the mouse does.
+MOVE_LEGEND = """
+from paraview import simple
+view = simple.GetActiveView()
+legend = simple.GetScalarBar(simple.GetDisplayProperties(simple.GetActiveSource()).LookupTable, view)
+legend.WindowLocation, legend.Position = "Any Location", [0.5, 0.5]
+"""
+
+#: Changes the color map.
+RESCALE = """
+from paraview import simple
+simple.GetDisplayProperties(simple.GetActiveSource()).LookupTable.RescaleTransferFunction(0, 10)
+simple.Render()
+"""
+
 #: Adds the light of the mesh to a file.
 LIGHTS = """
 from paraview import simple
 display = simple.GetDisplayProperties(simple.GetActiveSource())
 with open(PATH, "a") as file:
     file.write(f"{display.Ambient} {display.Diffuse} {display.ColorArrayName[1]}\\n")
+"""
+
+#: Gives the mesh ParaView's light, which it has in older states.
+USUAL_LIGHT = """
+from paraview import simple
+display = simple.GetDisplayProperties(simple.GetActiveSource())
+display.Ambient, display.Diffuse = 0, 1
 """
 
 #: Loads a state.
@@ -262,7 +301,7 @@ class TestMeshInspectorLook(WindowTestCase):
         wherever it is chosen."""
         mesh = self.folder / "ball.vtu"
         simple.SaveData(str(mesh), self.open(camaron_testing.EXAMPLES / "voronoi-ball.visf"))
-        camera, viewed, blue, chosen = (self.folder / f"{name}.json" for name in "0123")
+        camera, viewed, blue, chosen, second = (self.folder / f"{i}.json" for i in range(5))
         program = camaron_testing.ROOT / "Scripts" / "camaron" / "view.py"
         view = VIEW.replace("MESH", repr(str(mesh))).replace("SCRIPT", repr(str(program)))
 
@@ -277,15 +316,22 @@ class TestMeshInspectorLook(WindowTestCase):
             *write(blue, EDGES),
             *self.script("inspection", CHANGE.replace("TYPE", "Mesh Inspection")),
             *write(chosen, EDGES),
+            *open_file("flange.visf"),
+            apply(),
+            *write(second, EDGES),
         )
         seen, up = json.loads(camera.read_text())
         self.assertTrue(numpy.allclose(seen, [-(3**-0.5)] * 3))
         of_report = Camera([0, 1, 0, 2, 0, 3])
         self.assertTrue(numpy.allclose([of_report.towards, of_report.up], [[-x for x in seen], up]))
-        self.assertEqual(json.loads(blue.read_text()), [0, 0, 0.5, 1])
-        self.assertEqual(json.loads(chosen.read_text()), json.loads(viewed.read_text()))
-        self.assertLess(max(json.loads(viewed.read_text())[:3]), 0.4)
-        self.assertNotEqual(json.loads(viewed.read_text()), json.loads(blue.read_text()))
+        look = servermanager.misc.QualityColors()
+        edges = [*look.EdgeColor, look.EdgeOpacity]
+        surface = [*look.MeshColor, *look.MeshColor, look.Ambient, look.Diffuse]
+        self.assertEqual(json.loads(blue.read_text())[0], [0, 0, 0.5, 1])
+        for path in (viewed, second):
+            self.assertEqual(json.loads(path.read_text()), [edges, surface], path.name)
+        self.assertEqual(json.loads(chosen.read_text())[0], edges)
+        self.assertLess(max(edges[:3]), 0.4)
 
     def test_place(self):
         """The panel is a tab beside Properties until the window is wide, then beside the view: there, one sees the
@@ -492,10 +538,12 @@ class TestMeshInspectorLook(WindowTestCase):
         self.replay_state(state, HANDLES)
 
     def test_light(self):
-        """Colored by an array, a mesh has the light of reports, in which colors match the legend; in one color, that of
-        ParaView; in both orders, also after undo, and in a state that was loaded."""
+        """Mesh Inspection has the light of reports, with and without an array. On Surface, a mesh has it if the panel has
+        colored it by an array, and ParaView's in one color, also after undo. States keep their light.
+        """
         lights, state = self.folder / "lights", self.folder / "light.pvsm"
         look = lambda name: self.script(name, LIGHTS.replace("PATH", repr(str(lights))))
+        draw = lambda name: self.script(name, CHANGE.replace("TYPE", name))
         solid, array = (
             event(f"{WINDOW}/variableToolbar/displayColor/Variables", "set_string", name)
             for name in ("Solid Color", "MinDihedralAngle")
@@ -506,26 +554,67 @@ class TestMeshInspectorLook(WindowTestCase):
             event(f"{WINDOW}/propertiesDock", "raise"),
             solid,
             *look("solid"),
+            *draw("Surface"),
+            *look("surface"),
             array,
             *look("again"),
             solid,
             edit("Undo"),
             *look("undone"),
             solid,
+            *look("reset"),
+            *draw("Mesh Inspection"),
+            *look("inspected"),
+            *self.script("old", USUAL_LIGHT),
             *save_state(str(state)),
             event(WINDOW, "fresh"),
             *self.script("load", LOAD.replace("PATH", repr(str(state)))),
+            event(f"{WINDOW}/propertiesDock", "raise"),
             *look("loaded"),
-            array,
-            *look("colored"),
-            solid,
-            *look("last"),
         )
         look = servermanager.misc.QualityColors()
-        even, usual = f"{look.Ambient} {look.Diffuse} MinDihedralAngle", "0.0 1.0 "
+        even, usual = f"{look.Ambient} {look.Diffuse} ", "0.0 1.0 "
+        array = "MinDihedralAngle"
         self.assertEqual(
-            lights.read_text().splitlines(), [even, usual, even, even, usual, even, usual]
+            lights.read_text().splitlines(),
+            [even + array, even, usual, even + array, even + array, usual, even, usual],
         )
+
+    def test_legend(self):
+        """The bar of the legend is at the same distance from the right end of the view, whatever the criterion and the
+        size of the view, unless somebody moves it. Its labels are those of the colors, until these are changed.
+        """
+        self.require_events()
+        places = self.folder / "places"
+        look = lambda name: self.script(name, PLACES.replace("PATH", repr(str(places))))
+        choose = lambda label: event(card("Histogram", "Criterion"), "set_string", label)
+        low, high = "Minimum dihedral angle", "Maximum dihedral angle"
+        self.play(
+            event(WINDOW, "resize", "1500,900"),
+            *start(),
+            *look("low"),
+            choose("Volume"),
+            *look("volume"),
+            event(WINDOW, "resize", "1300,900"),
+            show_inspector(),
+            *look("small"),
+            choose(high),
+            *self.script("move", MOVE_LEGEND),
+            choose(low),
+            choose(high),
+            *look("moved"),
+            choose(low),
+            *self.script("rescale", RESCALE),
+            *look("rescaled"),
+        )
+        found = [json.loads(line) for line in places.read_text().splitlines()]
+        distances = [size - x for size, x, _, _ in found]
+        self.assertNotEqual(found[0][0], found[2][0])
+        for i in (1, 2, 4):
+            self.assertAlmostEqual(distances[i], distances[0], places=3)
+        self.assertGreater(distances[0], 100)
+        self.assertAlmostEqual(found[3][1], 0.5 * found[3][0], places=3)
+        self.assertEqual([place[3] for place in found], [[1, 0]] * 4 + [[0, 1]])
 
     def test_titles(self):
         """Legend and chart name criterion and unit, legends of reports as those of the window. All tables are in one view, all charts in another; the mesh's view
@@ -553,7 +642,8 @@ class TestMeshInspectorLook(WindowTestCase):
         self.assertIn("MinDihedralAngle", (tables / "worst.csv").read_text())
         found = json.loads(titles.read_text())
         title = "Minimum dihedral angle (°)"
-        self.assertEqual(found["legend"][:4], [title, "", 1, 1])
+        self.assertEqual(found["legend"][:5], [title, "", 1, 1, 0])
+        self.assertIn(20, found["legend"][5])
         report = camaron.inspect(
             camaron_testing.EXAMPLES / "flange.visf",
             self.folder / "report",
@@ -564,7 +654,8 @@ class TestMeshInspectorLook(WindowTestCase):
         scene = pictures.Scene()
         self.addCleanup(scene.close)
         scene.color(scene.show(simple.Sphere()), report["criteria"][0])
-        self.assertEqual([scene.bar.GetPropertyValue(name) for name in LEGEND], found["legend"])
+        of_report = [scene.bar.GetPropertyValue(name) for name in LEGEND]
+        self.assertEqual(json.loads(json.dumps(of_report, default=list)), found["legend"])
         own, shared, usual = found["colors"]
         self.assertEqual(shared, usual)
         self.assertNotEqual(own, usual)
@@ -637,7 +728,7 @@ class TestMeshInspectorLook(WindowTestCase):
             *look("one"),
         )
         both, undone, neither, one = map(json.loads, marks.read_text().splitlines())
-        self.assertEqual(both[:4], [1, 1, 1, "not judged\nundefined\n "])
+        self.assertEqual(both[:4], [1, 1, 1, "not judged \u2013\nundefined \u2013\n "])
         self.assertNotEqual(*both[4])
         self.assertEqual(neither[:3], [0, 0, 0])
         self.assertEqual(undone, both)

@@ -65,23 +65,26 @@ def difference(one, other):
     return math.sqrt(dl**2 + dc**2 + dh**2 + rt * dc * dh)
 
 
+def criterion(low, high, acceptable, better="neither", quantiles=(), outside=(0, 0)):
+    """A criterion in the summary of a mesh."""
+    return {
+        "min": low,
+        "max": high,
+        "quantiles": dict(zip(("1", "99"), quantiles)),
+        "better": better,
+        "out_of_range": sum(outside),
+        "below": outside[0],
+        "above": outside[1],
+        "acceptable": acceptable,
+        "judged": 1,
+        "applicable": 2,
+        "undefined": 1,
+    }
+
+
 def make(low, high, acceptable=(None, None), better="neither", quantiles=(), outside=(0, 0)):
     """Values and colors of a map, and the colors of undefined values and of cells not judged."""
-    found = colors_of(
-        {
-            "min": low,
-            "max": high,
-            "quantiles": dict(zip(("1", "99"), quantiles)),
-            "better": better,
-            "out_of_range": sum(outside),
-            "below": outside[0],
-            "above": outside[1],
-            "acceptable": acceptable,
-            "judged": 1,
-            "applicable": 2,
-            "undefined": 1,
-        }
-    )
+    found = colors_of(criterion(low, high, acceptable, better, quantiles, outside))
     table = numpy.reshape(found["Points"], (-1, 4))
     return table[:, 0], table[:, 1:], [found["UndefinedColor"], found["NotJudgedColor"]]
 
@@ -117,6 +120,45 @@ class TestQualityColors(camaron_testing.TestCase):
             self.assertEqual(getattr(display, name), getattr(look, name), name)
         self.assertEqual(scene.view.Background, look.Background)
         self.assertGreater(look.Ambient, 0)
+
+    def test_mesh_color(self):
+        """A mesh without a criterion stands out from the default backgrounds of ParaView 5.13 and 6.1, and from white, for
+        everybody, wherever its faces are turned to."""
+        look = servermanager.misc.QualityColors()
+        backgrounds = ([0.329, 0.349, 0.427], [0.384, 0.365, 0.353], [1, 1, 1])
+        for sight in SIGHTS:
+            for light in (look.Ambient, look.Ambient + look.Diffuse):
+                color = to_lab(numpy.clip(light * numpy.array(look.MeshColor), 0, 1), sight)
+                for background in backgrounds:
+                    with self.subTest(sight=sight, light=light, background=background):
+                        self.assertGreater(difference(color, to_lab(background, sight)), 9)
+
+    def test_labels(self):
+        """The limits are labeled in any case, then the ends and round numbers where there is room, with as many digits as
+        tell them apart."""
+        for low, high, acceptable, labels, texts in (
+            (0.00373378, 68.8, (20, None), [0.00373378, 10, 20, 30, 40, 50, 60, 68.8], None),
+            (
+                1.4836,
+                84.4,
+                (20, None),
+                [1.4836, 20, 40, 60, 84.4],
+                ["1.48", "20", "40", "60", "84.4"],
+            ),
+            (0, 4.1, (None, 4), [0, 1, 2, 3, 4], None),
+            (1, 80, (18.6, 71.3), [1, 18.6, 40, 60, 71.3, 80], None),
+            (30, 60, (20, 70), [30, 35, 40, 45, 50, 55, 60], None),
+            (101325, 101326, (None, None), None, ["101325", "101325.2", "101325.4"]),
+            (4, 123456, (None, 5e4), None, ["4", "20000", "50000"]),
+        ):
+            found = colors_of(criterion(low, high, acceptable))
+            with self.subTest(low=low, high=high, found=found["Labels"]):
+                digits = found["LabelDigits"][0]
+                if labels:
+                    self.assertTrue(numpy.allclose(found["Labels"], labels), labels)
+                if texts:
+                    shown = [f"{label:.{digits}g}" for label in found["Labels"]]
+                    self.assertEqual(shown[: len(texts)], texts)
 
     def test_steps(self):
         """At the limits, which are acceptable themselves; no warm color where all is acceptable."""

@@ -15,6 +15,7 @@
 #include "vtkSMProperty.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMRenderViewProxy.h"
+#include "vtkSMSessionProxyManager.h"
 
 #include <QTimer>
 
@@ -32,14 +33,21 @@ bool IsInspection(vtkSMProxy* representation)
 }
 
 //------------------------------------------------------------------------------
-// Undo changes the type back, and edges of another type may have this look, too.
+// Undo changes the type back, and another type may have this look, too.
 void LookInspected(vtkSMProxy* representation)
 {
   if (IsInspection(representation))
   {
     const pqScopedUndoExclude pause;
-    camaron::SetLookOfEdges(representation);
+    camaron::SetLookOfInspection(representation);
   }
+}
+
+//------------------------------------------------------------------------------
+// States have their own look.
+bool IsLoading(vtkSMProxy* representation)
+{
+  return representation->GetSessionProxyManager()->GetInLoadXMLState();
 }
 
 //------------------------------------------------------------------------------
@@ -113,14 +121,19 @@ void pqFirstViewBehavior::follow(pqView* view)
       }
       // Later, so that it is recorded by itself.
       QObject::connect(data, &pqDataRepresentation::representationTypeModified, data,
-        [data] { QTimer::singleShot(0, data, [data] { LookInspected(data->getProxy()); }); });
-      if (!IsInspection(data->getProxy()) || CountData(drawing) > 1 ||
-        !IsUntouched(drawing->getProxy()))
+        [data]
+        {
+          if (!IsLoading(data->getProxy()))
+          {
+            QTimer::singleShot(0, data, [data] { LookInspected(data->getProxy()); });
+          }
+        });
+      if (!IsInspection(data->getProxy()) || IsLoading(data->getProxy()))
       {
         return;
       }
-      camaron::SetLookOfEdges(data->getProxy());
-      if (IsSolid(data))
+      camaron::SetLookOfInspection(data->getProxy());
+      if (CountData(drawing) == 1 && IsUntouched(drawing->getProxy()) && IsSolid(data))
       {
         drawing->getRenderViewProxy()->ApplyIsometricView();
       }

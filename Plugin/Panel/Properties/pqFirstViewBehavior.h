@@ -3,7 +3,8 @@
 /**
  * @class pqFirstViewBehavior
  * @brief Turns the camera to an isometric view when Mesh Inspection shows the first data of a view.
- * Edges have the look of the report there, and wherever Mesh Inspection is chosen.
+ * Meshes have the edges, light and color of the report there, and wherever Mesh Inspection is
+ * chosen.
  *
  * Along an axis, as ParaView looks at first, most solids look like one of their sides. Views of
  * flat meshes, views with other data, and cameras that were moved before stay as they are.

@@ -22,30 +22,30 @@ namespace
 // What is known of a representation.
 struct Coloring
 {
-  bool IsKnown = false;   ///< else it was just made, or loaded from a state
-  bool IsByArray = false; ///< when it was looked at last
-  bool WasEven = false;   ///< the light was even, and was taken back
+  bool IsKnown = false; ///< else it was just made, or loaded from a state
+  bool IsEven = false;  ///< the light may be, when it was looked at last
+  bool WasEven = false; ///< the light was even, and was taken back
 };
 
 //------------------------------------------------------------------------------
 void Update(vtkSMProxy* display, Coloring& coloring)
 {
-  const bool isByArray = vtkSMColorMapEditorHelper::GetUsingScalarColoring(display);
-  const bool changes = coloring.IsKnown && isByArray != coloring.IsByArray;
+  const bool isEven = vtkSMColorMapEditorHelper::GetUsingScalarColoring(display) ||
+    camaron::GetProperty(display, "Representation") == "Mesh Inspection";
+  const bool changes = coloring.IsKnown && isEven != coloring.IsEven;
   coloring.IsKnown = true;
-  coloring.IsByArray = isByArray;
+  coloring.IsEven = isEven;
   if (!changes)
   {
     return;
   }
   // Undo changes the coloring, and the light follows that.
   const pqScopedUndoExclude pause;
-  const bool isInspected = camaron::GetProperty(display, "Representation") == "Mesh Inspection";
-  if (isByArray && (isInspected || coloring.WasEven))
+  if (isEven && coloring.WasEven)
   {
     camaron::SetLightOfLegends(display);
   }
-  else if (!isByArray)
+  else if (!isEven)
   {
     coloring.WasEven = camaron::ResetLightOfLegends(display) || coloring.WasEven;
   }
@@ -93,5 +93,6 @@ void pqLegendLightBehavior::follow(pqRepresentation* representation)
   const auto look = [data, coloring = std::make_shared<Coloring>()]
   { QTimer::singleShot(0, data, [data, coloring] { Update(data->getProxy(), *coloring); }); };
   QObject::connect(data, &pqDataRepresentation::colorArrayNameModified, this, look);
+  QObject::connect(data, &pqDataRepresentation::representationTypeModified, this, look);
   look();
 }

@@ -2,12 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class pqLegendLightBehavior
- * @brief Gives meshes that an array colors an even light, and those of one color ParaView's.
+ * @brief Takes the even light of reports back from meshes of one color that are not inspected.
  *
- * With ParaView's light, faces that are turned away match no color of the legend; with the even
- * one, a mesh of one color looks flat. The light changes with the coloring, wherever a user changes
- * that, and whether or not the Mesh Inspector is visible. Another light that a user has chosen
- * stays.
+ * With ParaView's light, faces that are turned away match no color of a legend: Mesh Inspection and
+ * the Mesh Inspector set an even one, in which a surface of one color looks flat without edges. It
+ * is back when an array colors the mesh again. Another light that a user has chosen stays.
  */
 #ifndef pqLegendLightBehavior_h
 #define pqLegendLightBehavior_h

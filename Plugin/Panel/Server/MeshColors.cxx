@@ -21,6 +21,8 @@
 #include "vtkSMTransferFunctionProxy.h"
 #include "vtkSmartPointer.h"
 
+#include <QWidget>
+
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -38,12 +40,25 @@ DistributionRequest OneBin()
 }
 
 //------------------------------------------------------------------------------
+constexpr const char* LegendName = "ScalarBarWidgetRepresentation";
+constexpr int AnyLocation = 0, LowerRightCorner = 2; // of a legend
+constexpr int WidthOfLegend = 130; // in pixels, with seven digits and a title beside it
+constexpr double Bottom = 0.02;    // its distance from the end of the view, as ParaView's
+
+//------------------------------------------------------------------------------
 // What vtkQualityColors finds for a range of values.
 struct QualityColors
 {
-  QMap<QString, QVariant> Map; // properties of the color map
-  QString UndefinedText;       // of the legend
+  QMap<QString, QVariant> Map;    // properties of the color map
+  QMap<QString, QVariant> Legend; // properties of its legend
 };
+
+// The format of a number such as ".3g" in the notation of this version of ParaView.
+QString GetNotation(vtkSMProxy* legend, const QString& number)
+{
+  const bool isNew = GetProperty(legend, "RangeLabelFormat").toString().contains('{');
+  return isNew ? "{:" + number + "}" : "%" + number;
+}
 
 QualityColors FindColors(vtkSMSessionProxyManager* server, const QMap<QString, QVariant>& input)
 {
@@ -54,15 +69,22 @@ QualityColors FindColors(vtkSMSessionProxyManager* server, const QMap<QString, Q
   }
   SetProperties(colors, input);
   UpdateInformation(colors);
-  const bool hasBoth =
-    input.value("HasUndefined").toInt() != 0 && input.value("HasNotJudged").toInt() != 0;
+  const bool hasUndefined = input.value("HasUndefined").toInt() != 0;
+  const bool hasNotJudged = input.value("HasNotJudged").toInt() != 0;
+  const QString digits = QString(".%1g").arg(GetProperty(colors, "LabelDigits").toInt());
   constexpr int never = -1; // vtkSMTransferFunctionManager::NEVER
   return { { { "RGBPoints", GetProperty(colors, "Points") }, { "ColorSpace", QString("RGB") },
              { "NanColor", GetProperty(colors, "UndefinedColor") },
              { "BelowRangeColor", GetProperty(colors, "NotJudgedColor") },
-             { "UseBelowRangeColor", hasBoth ? 1 : 0 }, { "AutomaticRescaleRangeMode", never },
-             { "ScalarRangeInitialized", 1 }, { "Discretize", 0 } },
-    GetProperty(colors, "UndefinedText").toString() };
+             { "UseBelowRangeColor", hasUndefined && hasNotJudged ? 1 : 0 },
+             { "AutomaticRescaleRangeMode", never }, { "ScalarRangeInitialized", 1 },
+             { "Discretize", 0 } },
+    { { "UseCustomLabels", 1 }, { "AddRangeLabels", 0 }, { "AutomaticLabelFormat", 0 },
+      { "CustomLabels", GetProperty(colors, "Labels") },
+      { "LabelFormat",
+        GetNotation(server->GetPrototypeProxy("representations", LegendName), digits) },
+      { "DrawNanAnnotation", hasUndefined || hasNotJudged ? 1 : 0 },
+      { "NanAnnotation", GetProperty(colors, "UndefinedText") } } };
 }
 }
 
@@ -105,7 +127,17 @@ vtkSMProxy* MeshColors::updateLegend()
     shown->renderViewEventually();
   }
   this->HasLegend = vtkSMColorMapEditorHelper::IsScalarBarVisible(shown->getProxy(), view);
-  return this->legend();
+  vtkSMProxy* legend = this->legend();
+  const pqScopedUndoExclude pause;
+  this->placeLegend();
+  const auto own = this->Colored.find(this->map()->GetGlobalID());
+  if (legend && own != this->Colored.end() && !own->Legend.isEmpty() && !this->areOwn())
+  { // the user has changed the colors, to which the labels belong
+    own->Legend.clear();
+    SetTracedProperties(
+      legend, { { "UseCustomLabels", 0 }, { "AddRangeLabels", 1 }, { "AutomaticLabelFormat", 1 } });
+  }
+  return legend;
 }
 
 //------------------------------------------------------------------------------
@@ -204,17 +236,17 @@ void MeshColors::fit()
       { "Acceptable", QVariantList{ own.Acceptable.first, own.Acceptable.second } },
       { "Better", info->Better }, { "HasUndefined", own.HasUndefined ? 1 : 0 },
       { "HasNotJudged", own.HasNotJudged ? 1 : 0 } });
-  if (found.Map.value("RGBPoints") == own.Points && found.UndefinedText == own.UndefinedText)
+  if (found.Map.value("RGBPoints") == own.Points && found.Legend == own.Legend)
   {
     return;
   }
   SetTracedProperties(colors, found.Map);
   own.Points = GetProperty(colors, "RGBPoints");
-  own.UndefinedText = found.UndefinedText;
+  own.Legend = found.Legend;
   this->markNotJudged(own.HasNotJudged);
   if (vtkSMProxy* legend = this->legend())
   {
-    SetTracedProperties(legend, this->undefinedInLegend());
+    SetTracedProperties(legend, own.Legend);
   }
   this->Mesh->representation()->renderViewEventually();
 }
@@ -230,11 +262,25 @@ vtkSMProxy* MeshColors::legend() const
 }
 
 //------------------------------------------------------------------------------
-QMap<QString, QVariant> MeshColors::undefinedInLegend() const
+// At the place where ParaView puts it, but it would move the bar with the length of the numbers: at
+// a fixed distance from the right end of the view. Where the user moves the legend, it stays.
+void MeshColors::placeLegend()
 {
-  const OwnColors own = this->Colored.value(this->map()->GetGlobalID());
-  return { { "DrawNanAnnotation", own.HasUndefined || own.HasNotJudged ? 1 : 0 },
-    { "NanAnnotation", own.UndefinedText } };
+  vtkSMProxy* legend = this->legend();
+  const QWidget* view = legend ? this->Mesh->view()->widget() : nullptr;
+  if (!view || view->width() <= WidthOfLegend)
+  {
+    return;
+  }
+  QVariant& known = this->Places[legend->GetGlobalID()];
+  const QVariant place = QVariantList{ 1.0 - double(WidthOfLegend) / view->width(), Bottom };
+  const int location = GetProperty(legend, "WindowLocation").toInt();
+  const bool isOurs = location == AnyLocation && GetProperty(legend, "Position") == known;
+  if (location == LowerRightCorner || (isOurs && known != place))
+  {
+    known = place;
+    SetTracedProperties(legend, { { "WindowLocation", AnyLocation }, { "Position", place } });
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -278,23 +324,21 @@ void MeshColors::colorBy(const QString& array, const Limits& limits)
     ShowLegend(proxy, view->getViewProxy());
     if (vtkSMProxy* legend = this->legend())
     {
-      // The notation of numbers depends on the version of ParaView.
-      const bool isNew = GetProperty(legend, "RangeLabelFormat").toString().contains('{');
       const std::vector<double>& edges = values.Histogram.Edges;
       constexpr double fourDigits = 1000;
       const bool isOfLargeIntegers = !edges.empty() && edges.back() >= fourDigits &&
         std::floor(edges.front()) == edges.front() && std::floor(edges.back()) == edges.back();
-      const QString number = isOfLargeIntegers ? ".0f" : ".3g";
-      const QString format = isNew ? "{:" + number + "}" : "%" + number;
       QMap<QString, QVariant> properties = { { "Title", info ? info->title() : array },
-        { "ComponentTitle", QString() }, { "RangeLabelFormat", format },
+        { "ComponentTitle", QString() },
+        { "RangeLabelFormat", GetNotation(legend, isOfLargeIntegers ? ".0f" : ".3g") },
         { "DrawNanAnnotation", values.Undefined > 0 ? 1 : 0 },
         { "NanAnnotation", tr("undefined") } };
       if (info && this->areOwn())
       {
-        properties.insert(this->undefinedInLegend());
+        properties.insert(this->Colored[this->map()->GetGlobalID()].Legend);
       }
       SetTracedProperties(legend, properties);
+      this->placeLegend();
     }
   }
   shown->renderViewEventually();

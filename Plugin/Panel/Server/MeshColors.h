@@ -34,6 +34,9 @@ public:
   {
   }
 
+  /// The color map; nullptr without one.
+  vtkSMProxy* map() const;
+
   /// Whether Mesh Inspection draws the mesh, which tells cells apart that no range judges.
   bool areOfInspection() const;
 
@@ -53,7 +56,8 @@ public:
   /// Fits the colors of a criterion to new values, as of another time step.
   void refit();
 
-  /// Shows the legend again if undo has taken it away; the legend, nullptr without one.
+  /// Shows the legend again if undo has taken it away, at its place, and with the labels of the
+  /// color map; the legend, nullptr without one.
   vtkSMProxy* updateLegend();
 
   ///@{
@@ -73,12 +77,10 @@ private:
     QVariant Points;
     QPair<double, double> Acceptable;
     bool HasUndefined = false;
-    bool HasNotJudged = false;               ///< cells that its acceptable range is not for
-    QString UndefinedText = tr("undefined"); ///< of the legend
+    bool HasNotJudged = false;      ///< cells that its acceptable range is not for
+    QMap<QString, QVariant> Legend; ///< properties of its legend
   };
 
-  /// The color map; nullptr without one.
-  vtkSMProxy* map() const;
   vtkSMProxy* legend() const;
   /// Whether they are those of a criterion, and nobody has changed them.
   bool areOwn() const;
@@ -90,12 +92,11 @@ private:
   void fit();
   /// Tells cells apart that no range judges.
   void markNotJudged(bool areMarked);
-  /// Properties of the legend that name what has the colors of undefined values and of cells not
-  /// judged.
-  QMap<QString, QVariant> undefinedInLegend() const;
+  void placeLegend();
 
   pqInspectedMesh* Mesh;
   pqMeshQuestions* Questions;
+  QMap<quint32, QVariant> Places;   // of legends, by their ids
   bool HasLegend = false;           // the last colors of the mesh
   bool IsUndone = false;            // or redone, since the legend was updated
   QMap<quint32, OwnColors> Colored; // by the ids of color maps

@@ -208,6 +208,23 @@ void SetLightOfLegends(vtkSMProxy* display)
 }
 
 //------------------------------------------------------------------------------
+// Meshes have the color of ParaView's palette unless somebody chooses another one.
+void SetLookOfInspection(vtkSMProxy* display)
+{
+  SetLookOfEdges(display);
+  SetLightOfLegends(display);
+  vtkSMProxy* palette = display->GetSessionProxyManager()->GetProxy("settings", "ColorPalette");
+  const QVariant usual = GetProperty(palette, "Surface");
+  const QVariant color = GetLook(display, "MeshColor");
+  const auto isUsual = [&](const char* name)
+  { return display->GetProperty(name)->IsValueDefault() || GetProperty(display, name) == usual; };
+  if (isUsual("AmbientColor") && isUsual("DiffuseColor"))
+  {
+    SetTracedProperties(display, { { "AmbientColor", color }, { "DiffuseColor", color } });
+  }
+}
+
+//------------------------------------------------------------------------------
 bool ResetLightOfLegends(vtkSMProxy* display)
 {
   const QMap<QString, QVariant> light = GetLightOfLegends(display);

@@ -55,9 +55,13 @@ QVariant GetLook(vtkSMProxy* proxy, const char* name);
 /// ParaView's blue would be taken for a color of the map.
 void SetLookOfEdges(vtkSMProxy* display);
 
+/// Gives a mesh the edges, light and color that it has in reports, as far as the user has chosen no
+/// others.
+void SetLookOfInspection(vtkSMProxy* display);
+
 ///@{
-/// Gives a mesh that an array colors the light of reports, or takes that away, unless the user has
-/// chosen another one. Returns whether it was taken away.
+/// Gives a mesh the light of reports, or takes that away, unless the user has chosen another one.
+/// Returns whether it was taken away.
 void SetLightOfLegends(vtkSMProxy* display);
 bool ResetLightOfLegends(vtkSMProxy* display);
 ///@}

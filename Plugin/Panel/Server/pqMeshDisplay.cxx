@@ -38,8 +38,10 @@
 #include "vtkSMStringListDomain.h"
 #include "vtkWeakPointer.h"
 
+#include <QEvent>
 #include <QPointer>
 #include <QSet>
+#include <QWidget>
 #include <pqTimer.h>
 
 #include <algorithm>
@@ -124,7 +126,7 @@ public:
 
   pqTimer DisplayTimer;
   QPointer<pqDataRepresentation> Shown;
-  Followed Display, Cut, Legend;
+  Followed Display, Cut, Map, Legend;
   camaron::MeshColors Colors;
   camaron::ElementMarker Marker{ "GeometryRepresentation" };
   camaron::ElementMarker Shining{ "ElementOverlay" }; // what is selected
@@ -151,6 +153,7 @@ pqMeshDisplay::pqMeshDisplay(
     {
       // Its handles, the Properties panel and scripts move it, too.
       this->Internal->Follow(this->Internal->Cut, GetCut(this->Mesh->representation()));
+      this->Internal->Follow(this->Internal->Map, this->Internal->Colors.map());
       this->Internal->Follow(this->Internal->Legend,
         this->Internal->Colors.updateLegend()); // the user hides and shows it
       this->showSelection();
@@ -238,7 +241,22 @@ void pqMeshDisplay::followDisplay()
         [this] { this->Internal->DisplayTimer.start(); });
     }
   }
+  pqRenderView* view = this->Mesh->view();
+  if (QWidget* place = view ? view->widget() : nullptr) // none while a session ends
+  {
+    place->installEventFilter(this);
+  }
   this->Internal->DisplayTimer.start();
+}
+
+//------------------------------------------------------------------------------
+bool pqMeshDisplay::eventFilter(QObject* watched, QEvent* event)
+{
+  if (event->type() == QEvent::Resize)
+  {
+    this->Internal->DisplayTimer.start();
+  }
+  return this->QObject::eventFilter(watched, event);
 }
 
 //------------------------------------------------------------------------------

@@ -100,6 +100,10 @@ Q_SIGNALS:
   /// The view, the representation or its properties.
   void displayChanged();
 
+protected:
+  /// The legend keeps its place when the view gets another size.
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
 private:
   Q_DISABLE_COPY(pqMeshDisplay)
 

@@ -33,7 +33,6 @@ from .camera import SIZE, Camera
 from .report import Picture
 
 LINE_COLOR = [0.18, 0.40, 0.56]
-MESH_COLOR = [0.80, 0.85, 0.88]
 SHELL_COLOR = [0.55, 0.63, 0.70]
 FEW_CURVED_CELLS = 20_000  # so that it takes seconds to subdivide their faces
 NO_LIMIT = sys.float_info.max  # of QualityColors
@@ -140,7 +139,7 @@ class Scene:
         table = _make_proxy("lookup_tables", "PVLookupTable")  # those of the window are the user's
         table.AutomaticRescaleRangeMode = "Never"
         colors = colors_of(criterion)
-        points = table.RGBPoints = colors["Points"]
+        table.RGBPoints = colors["Points"]
         table.NanColor = colors["UndefinedColor"]
         table.BelowRangeColor = colors["NotJudgedColor"]
         not_judged = has_not_judged(criterion)
@@ -161,10 +160,11 @@ class Scene:
         bar.ScalarBarThickness = 20
         bar.TitleFontSize, bar.LabelFontSize = 26, 23
         bar.TitleColor = bar.LabelColor = self.look.TextColor
-        low, high = points[0], points[-4]
-        number = ".0f" if high >= 1000 and low % 1 == high % 1 == 0 else ".3g"  # as in the window
-        is_new = "{" in bar.RangeLabelFormat  # the notation depends on the version of ParaView
-        bar.RangeLabelFormat = f"{{:{number}}}" if is_new else f"%{number}"
+        bar.UseCustomLabels, bar.AddRangeLabels, bar.AutomaticLabelFormat = 1, 0, 0
+        bar.CustomLabels = colors["Labels"]
+        number = f".{colors['LabelDigits'][0]}g"
+        is_new = "{" in bar.LabelFormat  # the notation depends on the version of ParaView
+        bar.LabelFormat = f"{{:{number}}}" if is_new else f"%{number}"
         bar.DrawNanAnnotation = 1 if criterion["undefined"] or not_judged else 0
         bar.NanAnnotation = colors["UndefinedText"][0]
         if undefined_count(criterion) < criterion["undefined"]:  # the criterion is not for all
@@ -214,8 +214,8 @@ def color_range(criterion: dict[str, Any]) -> tuple[float, float]:
 
 def colors_of(criterion: dict[str, Any]) -> dict[str, list]:
     """What Quality Colors, which the Mesh Inspector uses as well, finds for the range of the
-    criterion: the control points of the color map, and colors and text for cells without values and
-    cells that are not judged."""
+    criterion: the control points of the color map, the labels of its legend, and colors and text
+    for cells without values and cells that are not judged."""
     colors = servermanager.ProxyManager().NewProxy("misc", "QualityColors")
     limits = criterion["acceptable"] if is_limited(criterion) else [None, None]
     acceptable = [-NO_LIMIT if limits[0] is None else limits[0]]
@@ -232,7 +232,8 @@ def colors_of(criterion: dict[str, Any]) -> dict[str, list]:
             colors.GetProperty(name).SetElement(i, value)
     colors.UpdateVTKObjects()
     found = {}
-    for name in ("Points", "UndefinedColor", "NotJudgedColor", "UndefinedText"):
+    names = ("Points", "Labels", "LabelDigits", "UndefinedColor", "NotJudgedColor", "UndefinedText")
+    for name in names:
         values = colors.GetProperty(name)
         pipeline.update_information(colors, values)
         found[name] = [values.GetElement(i) for i in range(values.GetNumberOfElements())]
@@ -317,7 +318,7 @@ class _Pictures:
         """The mesh colored by the criterion. Fits the camera."""
         mesh, scene, criterion = self.summary["mesh"], self.scene, self.criterion
         has_polygons = mesh["volume"] is not None or mesh["area"] is not None
-        color = MESH_COLOR if has_polygons else LINE_COLOR
+        color = scene.look.MeshColor if has_polygons else LINE_COLOR
         display = scene.show(
             self.outside, DiffuseColor=color, AmbientColor=color, PointSize=6.0, LineWidth=2.0
         )
