@@ -37,7 +37,7 @@ out vec3 normalOfCorners;
 uniform vec2 viewportSize;
 #ifdef HAS_LINES
 flat out vec3 lines[3]; // |dot(line, (x, y, 1))| is the distance in pixels
-flat out vec3 spaces; // about the pixels from a line to the next
+flat out vec3 strengths; // of the lines, from 0 to 1
 uniform float partsOfEdge; // of curved faces that are subdivided
 #endif
 #ifdef HAS_LIMITS
@@ -267,15 +267,18 @@ void main()
   lines[0] = (triangle.w & 1u) != 0u ? lineThrough(a, b) : nowhere;
   lines[1] = (triangle.w & 2u) != 0u ? lineThrough(b, c) : nowhere;
   lines[2] = (triangle.w & 4u) != 0u ? lineThrough(c, a) : nowhere;
-  // Polygons consist of triangles, those at their corners are narrower than they are.
+  // Pixels from a line to the next. Polygons consist of triangles; those at their corners are
+  // narrower than they are.
   const float narrower = 3.0;
-  spaces = outline.isSeen
-    ? min(vec3(outline.longest), narrower * 2.0 * abs(outline.area) / outline.lengths)
-    : vec3(1.0e9);
+  vec3 spaces = min(vec3(outline.longest), narrower * 2.0 * abs(outline.area) / outline.lengths);
   uint last = max(max(triangle.x, triangle.y), triangle.z);
   spaces *= int(last) >= numberOfNodes ? partsOfEdge : 1.0;
+  // Where lines are close, they would hide the colors: a line of a pixel fades where it would cover
+  // more than an eighth of the faces, and is gone where it would cover half of them.
+  const float wide = 16.0, narrow = 4.0;
+  strengths = outline.isSeen ? clamp((spaces - narrow) / (wide - narrow), 0.0, 1.0) : vec3(1.0);
 #ifdef HAS_LIMITS
-  spaces = growth > 0.0 ? vec3(0.0) : spaces;
+  strengths = growth > 0.0 ? vec3(0.0) : strengths;
 #endif
 #endif
 #ifdef IS_PICKING

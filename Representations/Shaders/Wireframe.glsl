@@ -3,7 +3,7 @@
 float pixelsToWall;
 #else
 flat in vec3 lines[3];
-flat in vec3 spaces;
+flat in vec3 strengths;
 uniform vec2 viewportOrigin;
 #endif
 uniform float edgeWidth;
@@ -20,10 +20,7 @@ void wireframe(inout vec3 ambient, inout vec3 diffuse, inout float opacity)
   vec3 pixel = vec3(gl_FragCoord.xy - viewportOrigin, 1.0);
   vec3 distances = abs(vec3(dot(lines[0], pixel), dot(lines[1], pixel), dot(lines[2], pixel)));
   vec3 amounts = clamp(0.5 * edgeWidth + 0.5 - distances, 0.0, 1.0);
-  // Where edges are close, they would hide the colors: a line of a pixel fades where it would cover
-  // more than an eighth of the faces, and is gone where it would cover half of them.
-  const float wide = 16.0, narrow = 4.0;
-  amounts *= hasFaces == 1 ? clamp((spaces - narrow) / (wide - narrow), 0.0, 1.0) : vec3(1.0);
+  amounts *= hasFaces == 1 ? strengths : vec3(1.0);
   float amount = max(max(amounts.x, amounts.y), amounts.z);
 #endif
   if (edgesOfSelectedOnly == 1 && (cellMarks & 4u) == 0u)
