@@ -67,15 +67,28 @@ std::vector<FluentZone> ListZones(const FluentFile& file)
 }
 
 //------------------------------------------------------------------------------
+// Adds an empty array.
+template <typename Array>
+vtkSmartPointer<Array> Add(vtkFieldData* data, const char* name)
+{
+  auto array = vtkSmartPointer<Array>::New();
+  array->SetName(name);
+  data->AddArray(array);
+  return array;
+}
+
+//------------------------------------------------------------------------------
 // The faces of one zone that a piece owns.
 struct ZoneFaces
 {
-  std::vector<std::int32_t> Nodes;          // points of the piece
-  std::vector<std::int32_t> Begins = { 0 }; // of every face in Nodes, and the end
-  std::vector<int> Types;
+  vtkNew<vtkTypeInt32Array> Nodes; // points of the piece
+  vtkNew<vtkTypeInt32Array> Ends;  // of every face in Nodes, after 0
+  vtkNew<vtkIntArray> Types;
   std::vector<vtkIdType> Faces; // positions in the file
   vtkIdType Free = 0;           // number of faces that belong to no cell
   bool IsShown = false;         // even without faces
+
+  ZoneFaces() { this->Ends->InsertNextValue(0); }
 };
 
 //------------------------------------------------------------------------------
@@ -98,34 +111,18 @@ void Collect(const FluentMesh& mesh, const FluentFaces::Run& run, ZoneFaces& zon
       }
       // The normal points into the first cell; edges have it on the left, which is already outward.
       const bool isReversed = (side == 1) == (mesh.Dimension == 3);
-      bool isThere = true;
-      const std::size_t before = zone.Nodes.size();
-      for (std::int32_t i = 0; i < size && isThere; ++i)
+      for (std::int32_t i = 0; i < size; ++i)
       {
         const std::int32_t node = face.Nodes[isReversed ? (size - i) % size : i];
         const vtkIdType point = mesh.Piece.FindPoint(node - 1);
         // Always true for cells bounded by this face, unless the file has just changed.
-        isThere = point >= 0 && point < mesh.Piece.GetNumberOfPoints();
-        zone.Nodes.push_back(static_cast<std::int32_t>(point));
+        const bool isThere = point >= 0 && point < mesh.Piece.GetNumberOfPoints();
+        zone.Nodes->InsertNextValue(static_cast<std::int32_t>(isThere ? point : 0));
       }
-      if (!isThere)
-      {
-        zone.Nodes.resize(before);
-        return;
-      }
-      zone.Begins.push_back(static_cast<std::int32_t>(zone.Nodes.size()));
-      zone.Types.push_back(run.BoundaryType);
+      zone.Ends->InsertNextValue(static_cast<std::int32_t>(zone.Nodes->GetNumberOfValues()));
+      zone.Types->InsertNextValue(run.BoundaryType);
       zone.Faces.push_back(position);
     });
-}
-
-//------------------------------------------------------------------------------
-template <typename Array, typename Value>
-vtkSmartPointer<Array> MakeArray(const std::vector<Value>& values, const char* name = nullptr)
-{
-  Buffer<Value> buffer(static_cast<vtkIdType>(values.size()));
-  std::copy(values.begin(), values.end(), buffer.data());
-  return buffer.template TakeArray<Array>(1, name);
 }
 
 //------------------------------------------------------------------------------
@@ -135,10 +132,9 @@ vtkSmartPointer<vtkPolyData> MakeSurface(const FluentMesh& mesh, ZoneFaces& zone
   vtkPoints* points, const std::vector<std::int32_t>& pointsOfPiece, vtkIdType firstGlobalPoint)
 {
   IdSet used(points->GetNumberOfPoints());
-  for (const std::int32_t node : zone.Nodes)
-  {
-    used.Add(node);
-  }
+  const vtkIdType size = zone.Nodes->GetNumberOfValues();
+  std::int32_t* const nodes = zone.Nodes->GetPointer(0);
+  std::for_each(nodes, nodes + size, [&](std::int32_t node) { used.Add(node); });
   vtkNew<vtkPoints> own;
   own->SetDataType(points->GetDataType());
   own->SetNumberOfPoints(used.Number());
@@ -151,15 +147,12 @@ vtkSmartPointer<vtkPolyData> MakeSurface(const FluentMesh& mesh, ZoneFaces& zone
     pointIds[next++] = firstGlobalPoint +
       (pointsOfPiece.empty() ? point : pointsOfPiece[static_cast<std::size_t>(point)]);
   }
-  for (std::int32_t& node : zone.Nodes)
-  {
-    node = static_cast<std::int32_t>(used.GetNumber(node));
-  }
+  std::transform(nodes, nodes + size, nodes,
+    [&](std::int32_t node) { return static_cast<std::int32_t>(used.GetNumber(node)); });
   std::transform(zone.Faces.begin(), zone.Faces.end(), cellIds.data(),
     [&](vtkIdType face) { return mesh.Cells.GetNumberOfLeaves() + face; });
   vtkNew<vtkCellArray> cells;
-  cells->SetData(
-    MakeArray<vtkTypeInt32Array>(zone.Begins), MakeArray<vtkTypeInt32Array>(zone.Nodes));
+  cells->SetData(zone.Ends, zone.Nodes);
   auto surface = vtkSmartPointer<vtkPolyData>::New();
   surface->SetPoints(own);
   mesh.Dimension == 2 ? surface->SetLines(cells) : surface->SetPolys(cells);
@@ -168,21 +161,12 @@ vtkSmartPointer<vtkPolyData> MakeSurface(const FluentMesh& mesh, ZoneFaces& zone
     SetGlobalIds(surface->GetPointData(), std::move(pointIds), "GlobalPointIds");
     SetGlobalIds(surface->GetCellData(), std::move(cellIds), "GlobalCellIds");
   }
-  const std::vector<int> zones(zone.Types.size(), id);
-  surface->GetCellData()->AddArray(MakeArray<vtkIntArray>(zones, "Zone"));
-  surface->GetCellData()->AddArray(MakeArray<vtkIntArray>(zone.Types, "BoundaryType"));
+  const auto zones = Add<vtkIntArray>(surface->GetCellData(), "Zone");
+  zones->SetNumberOfValues(surface->GetNumberOfCells());
+  zones->Fill(id);
+  zone.Types->SetName("BoundaryType");
+  surface->GetCellData()->AddArray(zone.Types);
   return surface;
-}
-
-//------------------------------------------------------------------------------
-// Adds an empty array.
-template <typename Array>
-vtkSmartPointer<Array> Add(vtkFieldData* data, const char* name)
-{
-  auto array = vtkSmartPointer<Array>::New();
-  array->SetName(name);
-  data->AddArray(array);
-  return array;
 }
 }
 
