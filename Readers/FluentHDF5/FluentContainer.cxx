@@ -19,26 +19,18 @@ constexpr int MaxElement = 7; // of the types of cells
 }
 
 //------------------------------------------------------------------------------
-// Reads what is about all of the mesh.
-HDF5Object FluentContainer::OpenMesh()
+bool FluentContainer::Open(const Progress& progress, bool zonesOnly)
 {
   const HDF5Object root = this->File.GetRoot();
   root.Check(root.Has("meshes"), ErrorKind::NotThisFormat, "a Fluent mesh in the group meshes",
     root.Has("results") ? "results only; the mesh is in the case file (.cas.h5)"
                         : "another content");
-  HDF5Object mesh = root.Open("meshes/1");
+  const HDF5Object mesh = root.Open("meshes/1");
   this->Dimension = static_cast<int>(mesh.GetNumber("dimension", 2, 3));
   this->DeclaredNodes.Count = mesh.GetNumber("nodeCount", 0, INT32_MAX);
   this->DeclaredCells.Count = mesh.GetNumber("cellCount", 0, INT32_MAX);
   this->DeclaredFaces.Count = mesh.GetNumber("faceCount", 0, INT32_MAX);
   this->ReadTypeNames(root);
-  return mesh;
-}
-
-//------------------------------------------------------------------------------
-bool FluentContainer::Open(const Progress& progress)
-{
-  const HDF5Object mesh = this->OpenMesh();
   const std::int64_t nodes = this->DeclaredNodes.Count;
   if (nodes > 0)
   {
@@ -53,36 +45,25 @@ bool FluentContainer::Open(const Progress& progress)
   }
   if (this->DeclaredFaces.Count > 0)
   {
-    this->OpenFaces(mesh.Open("faces"), progress);
+    this->OpenFaces(mesh.Open("faces"), progress, zonesOnly);
   }
   return !progress.IsStopped();
 }
 
 //------------------------------------------------------------------------------
-std::vector<std::string> FluentContainer::ListZones()
+std::vector<std::string> FluentContainer::GetZoneNames() const
 {
-  const HDF5Object mesh = this->OpenMesh();
-  const bool hasCells = this->DeclaredCells.Count > 0;
   std::vector<std::string> names;
-  const auto add = [&](const HDF5Object& group, const char* what, std::int64_t last, int usualType)
+  for (const FluentZone& zone : this->Zones)
   {
-    for (const ZoneRow& zone : this->ReadZones(group, what, last, usualType))
+    const bool isHidden = this->DeclaredCells.Count > 0 &&
+      (zone.BoundaryType == FluentBoundary::Interior ||
+        zone.BoundaryType == FluentBoundary::Parent);
+    if (!isHidden && std::find(names.begin(), names.end(), zone.Name) == names.end())
     {
-      const int type = usualType == NoType && hasCells ? this->GetBoundaryType(zone) : NoType;
-      if (type != FluentBoundary::Interior && type != FluentBoundary::Parent &&
-        std::find(names.begin(), names.end(), zone.Name) == names.end())
-      {
-        names.push_back(zone.Name);
-      }
+      names.push_back(zone.Name);
     }
-  };
-  if (hasCells)
-  {
-    add(mesh.Open("cells"), "cells", this->DeclaredCells.Count, Fluid);
   }
-  const HDF5Object faces = mesh.Open("faces");
-  this->OpenSides(faces);
-  add(faces, "faces", this->DeclaredFaces.Count, NoType);
   return names;
 }
 

@@ -30,10 +30,10 @@ public:
   {
   }
 
-  /// Finds the sections; false if aborted.
-  bool Open(const Progress& progress);
-  /// The names of all zones except interior ones, each once, from their tables alone.
-  std::vector<std::string> ListZones();
+  /// Finds the sections, or only the zones; false if aborted.
+  bool Open(const Progress& progress, bool zonesOnly = false);
+  /// The names of all zones except interior ones, each once.
+  std::vector<std::string> GetZoneNames() const;
   /// Leaves out the zones with these names, after Open.
   void LeaveOut(const std::vector<std::string>& zones);
   /// Warns about what is in the file and is not used.
@@ -63,7 +63,6 @@ private:
     return place.empty() ? "" : " (" + place + ")";
   }
 
-  HDF5Object OpenMesh();
   void ReadTypeNames(const HDF5Object& root);
   std::vector<ZoneRow> ReadZones(
     const HDF5Object& group, const char* what, std::int64_t last, int usualType);
@@ -71,9 +70,7 @@ private:
 
   ///@{
   /// In FluentContainerFaces.cxx.
-  void OpenFaces(const HDF5Object& faces, const Progress& progress);
-  void OpenSides(const HDF5Object& faces);
-  int GetBoundaryType(const ZoneRow& zone) const;
+  void OpenFaces(const HDF5Object& faces, const Progress& progress, bool zonesOnly);
   void MeasureFaces(std::vector<ZoneRow>& zones, const Progress& progress);
   void AddFaces(const HDF5Object& faces, const ZoneRow& zone);
   void OpenTrees(const HDF5Object& faces);

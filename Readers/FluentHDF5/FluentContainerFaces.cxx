@@ -12,23 +12,10 @@
 namespace camaron
 {
 //------------------------------------------------------------------------------
-void FluentContainer::OpenFaces(const HDF5Object& faces, const Progress& progress)
+void FluentContainer::OpenFaces(const HDF5Object& faces, const Progress& progress, bool zonesOnly)
 {
   std::vector<ZoneRow> zones = this->ReadZones(faces, "faces", this->DeclaredFaces.Count, NoType);
   this->Sizes.Open(faces.Open("nodes"), "faces", this->DeclaredFaces.Count, true, 1, "nnodes");
-  this->OpenSides(faces);
-  this->MeasureFaces(zones, progress);
-  for (const ZoneRow& zone : zones)
-  {
-    this->AddFaces(faces, zone);
-  }
-  this->OpenTrees(faces);
-  this->OpenInterfaces(faces);
-}
-
-//------------------------------------------------------------------------------
-void FluentContainer::OpenSides(const HDF5Object& faces)
-{
   for (int side = 0; side < 2; ++side)
   {
     const std::string name = "c" + std::to_string(side);
@@ -38,19 +25,19 @@ void FluentContainer::OpenSides(const HDF5Object& faces)
       this->Sides[side].Open(faces.Open(name), "faces", this->DeclaredFaces.Count, isComplete);
     }
   }
-}
-
-//------------------------------------------------------------------------------
-// Without a type in the table, the settings name it; else faces with two cells are interior. Only
-// those are in the data sets of the second cell, or most of them.
-int FluentContainer::GetBoundaryType(const ZoneRow& zone) const
-{
-  const int named = zone.Type == NoType ? GetFluentBoundaryType(zone.TypeName) : 0;
-  const bool hasBoth = this->Sides[1].Contains(zone.First, zone.Last);
-  return zone.Type != NoType                   ? zone.Type
-    : named != 0                               ? named
-    : this->DeclaredCells.Count > 0 && hasBoth ? FluentBoundary::Interior
-                                               : FluentBoundary::Wall;
+  if (!zonesOnly)
+  {
+    this->MeasureFaces(zones, progress);
+  }
+  for (const ZoneRow& zone : zones)
+  {
+    this->AddFaces(faces, zone);
+  }
+  if (!zonesOnly)
+  {
+    this->OpenTrees(faces);
+    this->OpenInterfaces(faces);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -102,16 +89,22 @@ void FluentContainer::MeasureFaces(std::vector<ZoneRow>& zones, const Progress& 
 //------------------------------------------------------------------------------
 void FluentContainer::AddFaces(const HDF5Object& faces, const ZoneRow& zone)
 {
-  const int type = this->GetBoundaryType(zone);
+  // Only faces with two cells are in the data sets of the second cell, or most of them.
+  const bool hasCells = this->DeclaredCells.Count > 0;
+  const bool hasBoth = hasCells && this->Sides[1].Contains(zone.First, zone.Last);
+  int type = zone.Type;
+  if (type == NoType)
+  {
+    const int named = GetFluentBoundaryType(zone.TypeName); // in the settings
+    type = named != 0 ? named : hasBoth ? FluentBoundary::Interior : FluentBoundary::Wall;
+  }
   this->Zones.push_back(
-    { zone.Id, zone.TypeName.empty() ? GetFluentZoneType(type) : zone.TypeName, zone.Name });
+    { zone.Id, zone.TypeName.empty() ? GetFluentZoneType(type) : zone.TypeName, zone.Name, type });
   if (zone.First > zone.Last)
   {
     return;
   }
-  faces.Check(this->DeclaredCells.Count == 0 || type != FluentBoundary::Interior ||
-      this->Sides[1].Contains(zone.First, zone.Last),
-    ErrorKind::Truncated,
+  faces.Check(!hasCells || hasBoth || type != FluentBoundary::Interior, ErrorKind::Truncated,
     "second cells (c1) of the interior faces " + std::to_string(zone.First) + " to " +
       std::to_string(zone.Last),
     "none for some of them");

@@ -32,7 +32,9 @@ std::vector<std::string> ListFluentZones(const std::string& path)
       return UseHDF5(mapped, 0, ignored,
         [&](HDF5File& file)
         {
-          names = FluentContainer(file).ListZones();
+          FluentContainer container(file);
+          container.Open(Progress(), true);
+          names = container.GetZoneNames();
           return true;
         });
     });
