@@ -30,6 +30,7 @@ class OutputMesh;
 constexpr char Coordinate[] = "a coordinate of a vertex"; ///< for errors
 
 constexpr char PartArray[] = "Part";               ///< of cells, the object of a triangle
+constexpr char FaceArray[] = "TFace";              ///< of cells, the face (TFACE) in the object
 constexpr char PointIdArray[] = "OriginalPointId"; ///< of points, their ids in the file
 
 struct TSurfProperty

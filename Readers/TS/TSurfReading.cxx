@@ -507,7 +507,7 @@ void TSurfReading::AddParts(const CellMeshPiece& piece, vtkUnstructuredGrid* gri
       }
     });
   grid->GetCellData()->AddArray(parts.TakeArray<vtkIntArray>(1, PartArray));
-  grid->GetCellData()->AddArray(faces.TakeArray<vtkIntArray>(1, "TFace"));
+  grid->GetCellData()->AddArray(faces.TakeArray<vtkIntArray>(1, FaceArray));
 }
 
 //------------------------------------------------------------------------------

@@ -83,6 +83,11 @@ TSurfWriting::TSurfWriting(vtkDataSet* input, const OutputMesh& mesh)
   {
     this->Starts = { { 0, 0 }, { mesh.GetNumberOfPoints(), mesh.GetNumberOfCells() } };
   }
+  vtkDataArray* const faces = input->GetCellData()->GetArray(FaceArray);
+  if (faces && faces->GetRange()[0] == 0 && faces->GetRange()[1] == 0) // one in each object
+  {
+    this->Written.Cells.emplace_back(FaceArray);
+  }
   for (const TSurfText& text : TSurfTexts)
   {
     if (this->FindTexts(text.Array))
