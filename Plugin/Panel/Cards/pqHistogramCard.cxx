@@ -170,6 +170,10 @@ void pqHistogramCard::showDistribution()
       request.CurveValues = QVector<double>(values.begin(), values.end());
       request.CurvePoints = 2; // the extremes
       this->Shown = this->questions()->distributions({ name }, request).value(0);
+      for (auto& group : this->Shown.Histogram.Groups)
+      { // the range of the user is for all cells
+        group.Judged = this->state()->userLimits() ? group.Counts : group.Judged;
+      }
     }
   }
   const camaron::CriterionInfo* info = this->questions()->criterion(name);

@@ -98,11 +98,13 @@ void pqReportCard::refresh()
   {
     button->setEnabled(hasValues);
   }
-  const bool canSave = hasValues && this->filters()->canSaveReport();
-  for (QWidget* widget : std::initializer_list<QWidget*>{ this->Folder, this->Browse, this->Save })
-  {
-    widget->setEnabled(canSave);
-  }
+  const bool isOfCells = this->mesh()->elementType() == "Cell";
+  const bool canSave = hasValues && isOfCells && this->filters()->canSaveReport();
+  this->Folder->setEnabled(canSave);
+  this->Browse->setEnabled(canSave);
+  camaron::SetEnabled(this->Save, canSave,
+    hasValues && !isOfCells ? tr("Reports are about cells: choose them in the card Criteria.")
+                            : QString());
   const QFileInfo folder(this->filters()->reportFolder());
   this->Folder->setPlaceholderText(folder.fileName());
   this->Folder->setToolTip(tr("Folder of this computer for the report, a new one or that of an "
