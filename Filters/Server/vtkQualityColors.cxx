@@ -206,7 +206,7 @@ int vtkQualityColors::GetLabelDigits()
   const bool areWhole = ends[0] == std::floor(ends[0]) && ends[1] == std::floor(ends[1]);
   constexpr int few = 3, many = 15;
   const int powerOfSpan = static_cast<int>(std::floor(std::log10(ends[1] - ends[0])));
-  const int powerOfLast = std::min(powerOfSpan - few + 1, areWhole ? 0 : power);
+  const int powerOfLast = std::min(powerOfSpan - 1, areWhole ? 0 : power);
   return std::clamp(power - powerOfLast + 1, few, many);
 }
 
