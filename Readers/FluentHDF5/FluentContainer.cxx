@@ -68,14 +68,20 @@ std::vector<std::string> FluentContainer::GetZoneNames() const
 }
 
 //------------------------------------------------------------------------------
-void FluentContainer::LeaveOut(const std::vector<std::string>& zones)
+void FluentContainer::Choose(const std::vector<std::string>& zones, Warnings& warnings)
 {
+  std::set<std::string> chosen(zones.begin(), zones.end()), unknown = chosen;
   for (const FluentZone& zone : this->Zones)
   {
-    if (std::find(zones.begin(), zones.end(), zone.Name) != zones.end())
+    unknown.erase(zone.Name);
+    if (chosen.count(zone.Name) == 0)
     {
       this->ZonesLeftOut.insert(zone.Id);
     }
+  }
+  for (const std::string& name : unknown)
+  {
+    warnings.Add("there is no zone " + QuoteWord(name));
   }
 }
 
@@ -140,8 +146,8 @@ std::vector<FluentContainer::ZoneRow> FluentContainer::ReadZones(
   HDF5Column ranges(this->File);
   for (std::size_t i = 0; i < ids.size(); ++i)
   {
-    this->File.CheckRange(
-      idData.GetPath() + "[" + std::to_string(i) + "]", ids[i], 1, INT32_MAX, "a zone id");
+    this->File.CheckRange(idData.GetPath() + "[" + std::to_string(i) + "]", ids[i], 1,
+      INT32_MAX - 1, "a zone id"); // larger ones are INT32_MAX
     const HDF5Column::Section range{ firsts[i], lasts[i], "" };
     const auto type = this->TypeNames.find(ids[i]);
     zones.push_back({ ids[i], range.First, range.IsEmpty() ? range.First - 1 : range.Last, types[i],

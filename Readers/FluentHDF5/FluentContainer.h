@@ -34,8 +34,8 @@ public:
   bool Open(const Progress& progress, bool zonesOnly = false);
   /// The names of all zones except interior ones, each once.
   std::vector<std::string> GetZoneNames() const;
-  /// Leaves out the zones with these names, after Open.
-  void LeaveOut(const std::vector<std::string>& zones);
+  /// Leaves out all zones with other names than these, after Open; warns about names of none.
+  void Choose(const std::vector<std::string>& zones, Warnings& warnings);
   /// Warns about what is in the file and is not used.
   void WarnOfUnused(Warnings& warnings) const;
 

@@ -43,7 +43,7 @@ std::vector<std::string> ListFluentZones(const std::string& path)
 
 //------------------------------------------------------------------------------
 bool ReadFluentHDF5(const std::string& path, const PieceRequest& request, vtkUnstructuredGrid* grid,
-  vtkMultiBlockDataSet* boundaries, const std::vector<std::string>& leftOut,
+  vtkMultiBlockDataSet* boundaries, const std::vector<std::string>* zones,
   const FluentFieldRequest& fields, Warnings& warnings, ScanError& error, const Progress& progress)
 {
   PieceExchange exchange(FindProcesses(request));    // also if this process fails before it is used
@@ -62,9 +62,12 @@ bool ReadFluentHDF5(const std::string& path, const PieceRequest& request, vtkUns
           {
             return false;
           }
-          container.LeaveOut(leftOut);
           Warnings others;
           container.WarnOfUnused(request.Piece == 0 ? warnings : others);
+          if (zones)
+          {
+            container.Choose(*zones, request.Piece == 0 ? warnings : others);
+          }
           cells = container.DeclaredCells.Count;
           container.Exchange = &exchange;
           return ReadFluent(

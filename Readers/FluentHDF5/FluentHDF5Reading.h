@@ -25,12 +25,12 @@ std::vector<std::string> ListFluentZones(const std::string& path);
 /**
  * Reads a piece of a file.
  * @param boundaries if given, gets one block per face zone, except interior ones
- * @param leftOut names of zones that are not read, with the points that only they have
+ * @param zones names of the zones to read, with their points; nullptr: all
  * @param fields results that become cell arrays
  * @return false with the error in @a error, or without one if aborted; @a grid is then empty
  */
 bool ReadFluentHDF5(const std::string& path, const PieceRequest& request, vtkUnstructuredGrid* grid,
-  vtkMultiBlockDataSet* boundaries, const std::vector<std::string>& leftOut,
+  vtkMultiBlockDataSet* boundaries, const std::vector<std::string>* zones,
   const FluentFieldRequest& fields, Warnings& warnings, ScanError& error, const Progress& progress);
 }
 

@@ -15,13 +15,13 @@ vtkStandardNewMacro(vtkFluentHDF5Reader);
 namespace
 {
 //------------------------------------------------------------------------------
-// The names that are on, or off.
-std::vector<std::string> Find(vtkDataArraySelection* selection, bool areOn)
+// The names that are on.
+std::vector<std::string> FindChosen(vtkDataArraySelection* selection)
 {
   std::vector<std::string> found;
   for (int i = 0; i < selection->GetNumberOfArrays(); ++i)
   {
-    if ((selection->GetArraySetting(i) != 0) == areOn)
+    if (selection->GetArraySetting(i) != 0)
     {
       found.emplace_back(selection->GetArrayName(i));
     }
@@ -30,13 +30,20 @@ std::vector<std::string> Find(vtkDataArraySelection* selection, bool areOn)
 }
 
 //------------------------------------------------------------------------------
-// Lists names. What the user has chosen stays, although a file, such as another time step, does not
-// have it.
+// Whether the user has chosen some of the names.
+bool AreSomeOff(vtkDataArraySelection* selection)
+{
+  return selection->GetNumberOfArraysEnabled() < selection->GetNumberOfArrays();
+}
+
+//------------------------------------------------------------------------------
+// Lists names, of which new ones are on or off. What the user has chosen stays, although a file,
+// such as another time step, does not have it.
 void List(std::vector<std::string> names, bool areOn, vtkDataArraySelection* selection)
 {
-  for (const std::string& chosen : Find(selection, !areOn))
+  for (const std::string& chosen : FindChosen(selection))
   {
-    if (std::find(names.begin(), names.end(), chosen) == names.end())
+    if (!areOn && std::find(names.begin(), names.end(), chosen) == names.end())
     {
       names.push_back(chosen);
     }
@@ -98,7 +105,10 @@ int vtkFluentHDF5Reader::RequestInformation(
   const std::string file = this->GetFileName() ? this->GetFileName() : "";
   this->FindFields(file);
   List(camaron::ListFluentFields(this->Fields->Path), false, this->CellArrays);
-  List(camaron::ListFluentZones(file), true, this->Zones);
+  // Of another file, none is read that has not been chosen.
+  List(
+    camaron::ListFluentZones(file), !this->HasListedZones || !AreSomeOff(this->Zones), this->Zones);
+  this->HasListedZones = true;
   return this->Superclass::RequestInformation(request, inputVector, outputVector);
 }
 
@@ -107,7 +117,7 @@ void vtkFluentHDF5Reader::FindFields(const std::string& path)
 {
   this->Fields->IsRequired = this->DataFile && *this->DataFile;
   this->Fields->Path = this->Fields->IsRequired ? this->DataFile : camaron::GetFluentDataPath(path);
-  this->Fields->Names = Find(this->CellArrays, true);
+  this->Fields->Names = FindChosen(this->CellArrays);
 }
 
 //------------------------------------------------------------------------------
@@ -116,6 +126,7 @@ bool vtkFluentHDF5Reader::ReadZones(const std::string& path, const camaron::Piec
   camaron::ScanError& error, const camaron::Progress& progress)
 {
   this->FindFields(path);
-  return camaron::ReadFluentHDF5(path, request, grid, boundaries, Find(this->Zones, false),
-    *this->Fields, warnings, error, progress);
+  const std::vector<std::string> zones = FindChosen(this->Zones);
+  return camaron::ReadFluentHDF5(path, request, grid, boundaries,
+    AreSomeOff(this->Zones) ? &zones : nullptr, *this->Fields, warnings, error, progress);
 }

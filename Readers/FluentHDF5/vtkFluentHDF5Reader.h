@@ -71,6 +71,7 @@ private:
   char* DataFile = nullptr;
   vtkNew<vtkDataArraySelection> CellArrays;
   vtkNew<vtkDataArraySelection> Zones;
+  bool HasListedZones = false;
   std::unique_ptr<camaron::FluentFieldRequest> Fields; ///< of the file that is read
 };
 

@@ -369,6 +369,32 @@ class TestFluentHDF5(camaron_testing.FormatTestCase):
             mesh.UpdatePipeline()
             self.assertEqual(cells_of(mesh), whole)
 
+    def test_zones_of_steps(self):
+        """Zones that are chosen are so in all time steps; one that a step does not have is named in a warning."""
+        paths = []
+        for i, name in enumerate(("cells", "hanging", "plane")):
+            paths.append(str(self.folder / f"step{i}.msh.h5"))
+            shutil.copy(next(SEEDS.glob(f"{name}.*")), paths[-1])
+        mesh = simple.ANSYSFluentHDF5Reader(FileNames=paths)
+        mesh.UpdatePipeline(0)
+        for zones, time, cells, words in (
+            (["zone-5"], 0, 3, ""),
+            (["zone-5"], 1, 0, "step1.msh.h5: expected at least one chosen zone"),
+            (["water", "zone-5"], 1, 5, "step1.msh.h5: there is no zone 'zone-5'"),
+        ):
+            mesh.Zones = zones
+            with pipeline.Messages() as messages:
+                mesh.UpdatePipeline(time)
+            self.assertEqual(self.cells(mesh), cells)
+            if pipeline.is_first_rank():
+                self.assertIn(words, "\n".join(messages.warnings + messages.errors))
+        mesh.Zones = ["water"]
+        for time, cells in ((0, 2), (1, 5), (2, 4)):
+            mesh.UpdatePipeline(time)
+            mesh.UpdatePipelineInformation()
+            self.assertEqual(self.cells(mesh), cells)
+            self.assertIn("water", mesh.Zones.Available)
+
     def test_no_zone(self):
         """Without a zone of cells nothing is read, with an error; without boundaries there are all cells."""
         mesh = self.open(SEEDS / "cells.msh.h5")

@@ -85,7 +85,7 @@ TEST(FluentHDF5Damage, Ids)
     },
     Format, "meshes/1/faces/tree/1/kids[1]: expected a part from 1 to 21, found 22");
   ExpectError(Set("meshes/1/faces/zoneTopology/id", 1, 0), Format,
-    "meshes/1/faces/zoneTopology/id[1]: expected a zone id from 1 to 2147483647, found 0");
+    "meshes/1/faces/zoneTopology/id[1]: expected a zone id from 1 to 2147483646, found 0");
 }
 
 //------------------------------------------------------------------------------
