@@ -142,6 +142,11 @@ TEST(FluentMeshDamage, SaysWhatIsWrongAndWhere)
   ExpectError(change("(12 (2 1 1 1 2)", "(12 (2 1 1 1 8)"), format, "a cell type from 0 to 7");
   ExpectError(change("(12 (2 1 1 1 2)", "(12 (2 1 1 1 0)(9)"), format,
     "expected the type of cell 1 from 0 to 7");
+  for (const char* more : { "7", "zz" })
+  {
+    ExpectError(change("(12 (2 1 1 1 2)", std::string("(12 (2 1 1 1 0)(2 ") + more + ")"), format,
+      "expected the end of the section after the types of 1 cells");
+  }
   ExpectError(change("(12 (2 1 1 1 2)", "(12 (2 1 2 1 2)"), format, "cells from 1 to 1, found 2");
   ExpectError(
     change("(12 (2 1 1 1 2)", "(12 (2 1 1 0 2)"), vtkErrorCode::FileFormatError, "no active cell");

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Intake/Fluent/FluentCells.h"
 
-#include "Base/Number.h"
+#include "Intake/Fluent/FluentText.h"
 
 #include <algorithm>
 
@@ -63,6 +63,13 @@ bool FluentCells::ReadElements(FluentFile& file, const FluentSection& section, R
       return false;
     }
     run.Elements[static_cast<std::size_t>(i)] = camaron::GetElement(values[i], file.GetDimension());
+  }
+  if (const char* const rest = section.IsText() ? FluentFile::FindInteger(section, count) : nullptr;
+    rest && SkipSpaceFrom(rest, section.End) < section.End)
+  {
+    file.FailAt(SkipSpaceFrom(rest, section.End), ErrorKind::Count,
+      "the end of the section after the types of " + std::to_string(count) + " cells");
+    return false;
   }
   return true;
 }
