@@ -12,6 +12,7 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
+#include <cstdlib>
 
 namespace camaron
 {
@@ -30,11 +31,16 @@ bool SetSides(TableRows& cells, const ListSizes& sizes, const Buffer<std::int32_
   {
     for (vtkIdType i = sizes.GetOffset(cell); i < sizes.GetOffset(cell + 1); ++i)
     {
-      const std::int32_t face = faces[i];
-      std::int32_t& side = mesh.Sides[face < 0 ? -2 * (face + 1) : 2 * face - 1];
+      const bool isInward = faces[i] < 0;
+      const std::int32_t face = std::abs(faces[i]) - 1;
+      if (mesh.HasEmptyFaces && mesh.Faces.GetSize(face) == 0)
+      {
+        continue; // it bounds nothing
+      }
+      std::int32_t& side = mesh.Sides[2 * face + (isInward ? 0 : 1)];
       if (side >= 0)
       {
-        return cells.Fail(ErrorKind::Index, "at most one cell on each side of a face",
+        return cells.FailInRow(cell, ErrorKind::Index, "at most one cell on each side of a face",
           "face " + std::to_string(face) + " in cells " + std::to_string(side) + " and " +
             std::to_string(cell) + FromZero);
       }

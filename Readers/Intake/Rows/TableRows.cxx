@@ -109,7 +109,7 @@ std::string TableRows::DescribeIds(const ListIds& expected)
   const std::string range = expected.Limit > 0 ? (isFromOne ? " from 1 to " : " from 0 to ") +
       std::to_string(expected.Limit - (isFromOne ? 0 : 1))
                                                : " (there are none)";
-  return expected.What + range + (expected.HaveSigns ? ", or negative" : "") +
+  return expected.What + range + (expected.HaveSigns ? ", or the negative of one" : "") +
     (expected.HasBreaks ? ", or -1" : "");
 }
 

@@ -153,8 +153,11 @@ TEST_F(ExampleFile, Damaged)
     { replace("FACES", "SIDES"), "boxes.poly:11: expected FACES, found 'SIDES'" },
     { replace("4 1 2 3 4", "4 1 2 3 9"), "boxes.poly:12: expected a point of a face from 1 to 8" },
     { replace("4 1 2 3 4", "4 1 2 3 0"), "boxes.poly:12: expected a point of a face from 1 to 8" },
-    { replace("6 -1 2", "6 -7 2"), "a face of a cell from 1 to 6, or negative" },
-    { replace("6 -1 2", "6 2 2"), "expected at most one cell on each side of a face" },
+    { replace("6 -1 2", "6 -7 2"), "a face of a cell from 1 to 6, or the negative of one" },
+    { replace("6 -1 2", "6 2 2"),
+      "boxes.poly:19: expected at most one cell on each side of a face, found face 1 in cells 0 "
+      "and 0 "
+      "(counted from 0)" },
     { replace("6 -1 2", "5 -1 2"),
       "boxes.poly:19: expected rows of their declared length, found more in cell 0 (counted from "
       "0)" },
@@ -186,6 +189,37 @@ TEST_F(ExampleFile, Damaged)
       EXPECT_TRUE(this->Read(whole.substr(0, size), grid)) << dialect << " " << size;
       EXPECT_EQ(grid->GetNumberOfCells(), 0);
     }
+  }
+}
+
+//------------------------------------------------------------------------------
+// A face without points bounds nothing, whether cells have it or not.
+TEST_F(ExampleFile, EmptyFace)
+{
+  std::string bytes = Boxes(1).Write("text");
+  const auto replace = [&](const std::string& text, const std::string& by)
+  { bytes.replace(bytes.find(text), text.size(), by); };
+  replace("FACES 6", "FACES 7");
+  replace("CELLS", "0 \nCELLS");
+  replace("6 -1 2", "7 7 -1 2");
+  for (const int pieces : { 1, 2 })
+  {
+    vtkIdType cells = 0;
+    for (int i = 0; i < pieces; ++i)
+    {
+      PieceRequest piece;
+      piece.Piece = i;
+      piece.NumberOfPieces = pieces;
+      vtkNew<vtkUnstructuredGrid> grid;
+      const ScanError error = this->Read(bytes, grid, piece);
+      ASSERT_FALSE(error) << error.Message;
+      for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
+      {
+        EXPECT_EQ(grid->GetCell(cell)->GetNumberOfFaces(), 6);
+      }
+      cells += grid->GetNumberOfCells();
+    }
+    EXPECT_EQ(cells, 1);
   }
 }
 
