@@ -763,6 +763,25 @@ class TestMeshInspectorLook(WindowTestCase):
         points = [json.loads(path.read_text())[0] for path in found]
         self.assertEqual([(p[0], p[-4]) for p in points], [(30, 50), (1, 160), (0, 1)])
 
+    def test_work(self):
+        """While criteria are evaluated, Worst says so, not that one should evaluate."""
+        self.require_events()
+        summary = card("Worst", "Summary")
+        self.play(
+            *open_file("flange.visf"),
+            apply(),
+            show_inspector(),
+            check(summary, "text", "Evaluate a criterion to see its worst cells."),
+            event(WINDOW, "resize", "1600,980"),
+            event(summary, "seen"),
+            event(summary, "watch"),
+            event(WINDOW, "events"),
+            event(card("Criteria", "Preset"), "set_string", "General"),
+            event(card("Criteria", "Evaluate"), "activate"),
+            event(summary, "painted", "Evaluating..."),
+            check(card("Histogram", "Criterion"), "enabled", "true"),
+        )
+
     def test_words(self):
         """Cell types and defects are words; the element's card says what is where. The space bar unfolds a card, and on
         a rule selects the cells that fail it. Presets for other shapes than those of the cells are gray, and those for

@@ -267,11 +267,49 @@ bool CheckUnseen(QWidget* widget, const QString&)
   return widget->visibleRegion().isEmpty();
 }
 
+//------------------------------------------------------------------------------
+// Collects the texts of a label that are painted.
+class PaintedTexts : public QObject
+{
+public:
+  using QObject::QObject;
+  QStringList Texts;
+
+protected:
+  bool eventFilter(QObject* label, QEvent* event) override
+  {
+    if (event->type() == QEvent::Paint)
+    {
+      this->Texts << label->property("text").toString();
+    }
+    return false;
+  }
+};
+
+//------------------------------------------------------------------------------
+// watch: from now on, "painted" knows the texts of the label.
+bool Watch(QWidget* widget, const QString&)
+{
+  auto* texts = new PaintedTexts(widget);
+  texts->setObjectName("PaintedTexts");
+  widget->installEventFilter(texts);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+// painted TEXT: fails if the label has not shown this text since "watch", be it for a moment.
+bool CheckPainted(QWidget* widget, const QString& text)
+{
+  auto* texts = static_cast<PaintedTexts*>(widget->findChild<QObject*>("PaintedTexts"));
+  return texts && texts->Texts.contains(text);
+}
+
 const QMap<QString, bool (*)(QWidget*, const QString&)> Commands = {
   { "drag", Drag },
   { "events", HandleEvents },
   { "fresh", MakeFresh },
   { "menu", ChooseItem },
+  { "painted", CheckPainted },
   { "palette", ChoosePalette },
   { "open", OpenFile },
   { "picture", SavePicture },
@@ -282,6 +320,7 @@ const QMap<QString, bool (*)(QWidget*, const QString&)> Commands = {
   { "seen", CheckSeen },
   { "texts", CheckTexts },
   { "unseen", CheckUnseen },
+  { "watch", Watch },
   { "width", FixWidth },
 };
 
