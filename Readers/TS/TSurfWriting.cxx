@@ -56,6 +56,8 @@ private:
 
   void FindProperties();
   bool FindParts();
+  bool HasFaces() const;
+  vtkIdType GetFace(vtkIdType triangle) const;
   vtkStringArray* FindTexts(const char* name) const;
   std::string GetText(const char* name, std::size_t object) const;
   std::string MakeFirstLines(std::size_t object) const;
@@ -66,6 +68,7 @@ private:
   std::vector<Start> Starts; // of objects, and one more, for the end
   std::vector<vtkDataArray*> Properties;
   std::vector<std::string> NoData; // of properties, the value for NaN
+  vtkDataArray* Faces;             // numbers of the faces of cells; nullptr if it is one per object
   WrittenArrays Written;
 };
 
@@ -73,6 +76,7 @@ private:
 TSurfWriting::TSurfWriting(vtkDataSet* input, const OutputMesh& mesh)
   : Input(input)
   , Mesh(mesh)
+  , Faces(input->GetCellData()->GetArray(FaceArray))
 {
   this->FindProperties();
   if (this->FindParts())
@@ -83,10 +87,13 @@ TSurfWriting::TSurfWriting(vtkDataSet* input, const OutputMesh& mesh)
   {
     this->Starts = { { 0, 0 }, { mesh.GetNumberOfPoints(), mesh.GetNumberOfCells() } };
   }
-  vtkDataArray* const faces = input->GetCellData()->GetArray(FaceArray);
-  if (faces && faces->GetRange()[0] == 0 && faces->GetRange()[1] == 0) // one in each object
+  if (this->HasFaces())
   {
     this->Written.Cells.emplace_back(FaceArray);
+  }
+  else
+  {
+    this->Faces = nullptr;
   }
   for (const TSurfText& text : TSurfTexts)
   {
@@ -151,6 +158,38 @@ bool TSurfWriting::FindParts()
     nextPoint = std::max({ nextPoint, corners[0] + 1, corners[1] + 1, corners[2] + 1 });
   }
   this->Starts.push_back({ this->Mesh.GetNumberOfPoints(), triangles });
+  return true;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType TSurfWriting::GetFace(vtkIdType triangle) const
+{
+  return this->Faces
+    ? static_cast<vtkIdType>(this->Faces->GetComponent(this->Mesh.GetInputCell(triangle), 0))
+    : 0;
+}
+
+//------------------------------------------------------------------------------
+// Whether faces ascend from 0 in every object.
+bool TSurfWriting::HasFaces() const
+{
+  if (!this->Faces || this->Faces->GetNumberOfComponents() != 1)
+  {
+    return false;
+  }
+  for (std::size_t object = 0; object + 1 < this->Starts.size(); ++object)
+  {
+    double face = 0;
+    for (vtkIdType i = this->Starts[object].Triangle; i < this->Starts[object + 1].Triangle; ++i)
+    {
+      const double next = this->Faces->GetComponent(this->Mesh.GetInputCell(i), 0);
+      if (!(next == face || next == face + 1))
+      {
+        return false;
+      }
+      face = next;
+    }
+  }
   return true;
 }
 
@@ -261,6 +300,7 @@ bool TSurfWriting::Write(OutputFile& file, const Progress& progress) const
     const Start& to = this->Starts[object + 1];
     const Progress part = progress.Part(
       static_cast<double>(object) / objects, static_cast<double>(object + 1) / objects);
+    // All points come first, in one face: their order matters more than the faces of points.
     file.Write(this->MakeFirstLines(object) + "TFACE\n");
     const bool good = WriteRows(file, to.Point - from.Point, part.Part(0, 0.5),
                         [&](vtkIdType row, std::string& text)
@@ -268,8 +308,10 @@ bool TSurfWriting::Write(OutputFile& file, const Progress& progress) const
       WriteRows(file, to.Triangle - from.Triangle, part.Part(0.5, 1),
         [&](vtkIdType row, std::string& text)
         {
-          text += "TRGL";
-          const IndexRange corners = this->Mesh.GetCellPoints(from.Triangle + row);
+          const vtkIdType triangle = from.Triangle + row;
+          const vtkIdType before = row == 0 ? 0 : this->GetFace(triangle - 1);
+          text += this->GetFace(triangle) > before ? "TFACE\nTRGL" : "TRGL";
+          const IndexRange corners = this->Mesh.GetCellPoints(triangle);
           for (vtkIdType i = 0; i < 3; ++i)
           {
             text += ' ';

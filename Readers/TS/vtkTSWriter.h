@@ -5,9 +5,9 @@
  * @brief Writes tetrahedra or surfaces to TS files of Camarón or GOCAD.
  *
  * See Readers/TS/README.md. Files of Camarón store points and tetrahedra, no arrays. TSurf files of
- * GOCAD store triangles, with point arrays as properties, and one object for each value of the cell
- * array "Part" if possible; of 3D cells the surface is written. UnsupportedCells determines the
- * treatment of other cells. Numbers have the fewest digits that read back as the same numbers.
+ * GOCAD store triangles, with point arrays as properties and the cell arrays "Part" and "TFace" if
+ * possible; of 3D cells the surface is written. UnsupportedCells determines the treatment of other
+ * cells. Numbers have the fewest digits that read back as the same numbers.
  *
  * @sa vtkTSReader
  */
