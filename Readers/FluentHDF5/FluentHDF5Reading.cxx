@@ -49,6 +49,8 @@ bool ReadFluentHDF5(const std::string& path, const PieceRequest& request, vtkUns
   PieceExchange exchange(FindProcesses(request));    // also if this process fails before it is used
   constexpr double MeshShare = 0.8, OpenShare = 0.1; // of the progress
   const bool hasFields = fields.IsAny();
+  Warnings unheard;
+  Warnings& heard = request.Piece == 0 ? warnings : unheard; // of the file, not of the piece
   std::int64_t cells = 0;
   bool good = ReadMappedFile(path, request, grid, warnings, error,
     hasFields ? progress.Part(0, MeshShare) : progress,
@@ -62,11 +64,10 @@ bool ReadFluentHDF5(const std::string& path, const PieceRequest& request, vtkUns
           {
             return false;
           }
-          Warnings others;
-          container.WarnOfUnused(request.Piece == 0 ? warnings : others);
+          container.WarnOfUnused(heard);
           if (zones)
           {
-            container.Choose(*zones, request.Piece == 0 ? warnings : others);
+            container.Choose(*zones, heard);
           }
           cells = container.DeclaredCells.Count;
           container.Exchange = &exchange;
@@ -77,9 +78,7 @@ bool ReadFluentHDF5(const std::string& path, const PieceRequest& request, vtkUns
   exchange.Close();
   if (good && hasFields)
   {
-    Warnings more;
-    good = ReadFluentFields(fields, cells, grid, request.Piece == 0 ? warnings : more, error,
-      progress.Part(MeshShare, 1));
+    good = ReadFluentFields(fields, cells, grid, heard, error, progress.Part(MeshShare, 1));
   }
   if (!good)
   {
