@@ -89,7 +89,7 @@ void Print(const char* name, int level, double bumps)
       filter->SetInputData(ball.Get());
       filter->Update();
       vtkNew<vtkCellArray> found;
-      filter->GetOutput()->GetPolyhedronFaces(0, found);
+      vtkUnstructuredGrid::SafeDownCast(filter->GetOutput())->GetPolyhedronFaces(0, found);
       faces = found->GetNumberOfCells();
     });
   const double triangles = static_cast<double>(ball.Get()->GetNumberOfPolys());

@@ -24,6 +24,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <functional>
 #include <random>
 
 namespace fs = std::filesystem;
@@ -67,7 +68,9 @@ void Open(const char* what, const fs::path& path, int pieces = 1)
 
 //------------------------------------------------------------------------------
 template <typename Writer>
-void Save(const char* what, const fs::path& path, vtkUnstructuredGrid* mesh, int dialect = 0)
+void Save(
+  const char* what, const fs::path& path, vtkUnstructuredGrid* mesh,
+  const std::function<void(Writer*)>& choose = [](Writer*) {})
 {
   const camaron::Measurement cost = camaron::Measure(
     [&]
@@ -75,7 +78,7 @@ void Save(const char* what, const fs::path& path, vtkUnstructuredGrid* mesh, int
       vtkNew<Writer> writer;
       writer->SetInputData(mesh);
       writer->SetFileName(path.c_str());
-      writer->SetDialect(dialect);
+      choose(writer);
       writer->Write();
     });
   Print(what, path, cost, 0);
@@ -191,8 +194,8 @@ int main(int argc, char* argv[])
   Open<vtkTSReader>("open it", folder / "tetrahedra.ts");
   Open<vtkTSReader>("open the first of 4 pieces", folder / "tetrahedra.ts", 4);
 
-  Save<vtkTSWriter>(
-    "save TSurf, a property", folder / "surface.ts", MakeSurface(cells), vtkTSWriter::GOCAD);
+  Save<vtkTSWriter>("save TSurf, a property", folder / "surface.ts", MakeSurface(cells),
+    [](vtkTSWriter* writer) { writer->SetDialect(vtkTSWriter::GOCAD); });
   Open<vtkTSReader>("open it", folder / "surface.ts");
   Open<vtkTSReader>("open the first of 4 pieces", folder / "surface.ts", 4);
   std::printf("\n* of processor time, all threads together\n");
