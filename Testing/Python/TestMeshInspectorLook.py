@@ -153,7 +153,25 @@ legend = simple.GetScalarBar(simple.GetDisplayProperties(simple.GetActiveSource(
 with open(PATH, "a") as file:
     pixels = [x * size for x, size in zip(legend.Position, view.ViewSize)]
     labels = [legend.UseCustomLabels, legend.AddRangeLabels]
-    file.write(json.dumps([view.ViewSize[0], *pixels, labels]) + "\\n")
+    palette = simple.GetSettingsProxy("ColorPalette").Background
+    behind = list(legend.BackgroundColor)
+    isReadable = legend.DrawBackground and behind == [*palette, 0.75]
+    file.write(json.dumps([view.ViewSize[0], *pixels, labels, isReadable]) + "\\n")
+"""
+
+#: Another palette of the window.
+PALETTE = """
+from paraview import simple
+simple.LoadPalette("WhiteBackground")
+simple.Render()
+"""
+
+#: Takes away what is behind the legend.
+CLEAR_LEGEND = """
+from paraview import simple
+view = simple.GetActiveView()
+legend = simple.GetScalarBar(simple.GetDisplayProperties(simple.GetActiveSource()).LookupTable, view)
+legend.DrawBackground = 0
 """
 
 #: Moves the legend as the mouse does.
@@ -588,7 +606,8 @@ class TestMeshInspectorLook(WindowTestCase):
 
     def test_legend(self):
         """The bar of the legend is at the same distance from the right end of the view, whatever the criterion and the
-        size of the view, unless somebody moves it. Its labels are those of the colors, until these are changed.
+        size of the view, unless somebody moves it. Its labels are those of the colors, until these are changed. On a mesh
+        that fills the view it is readable, in any palette, unless somebody takes away what is behind it.
         """
         self.require_events()
         places = self.folder / "places"
@@ -603,6 +622,7 @@ class TestMeshInspectorLook(WindowTestCase):
             *look("volume"),
             event(WINDOW, "resize", "1300,900"),
             show_inspector(),
+            *self.script("palette", PALETTE),
             *look("small"),
             choose(high),
             *self.script("move", MOVE_LEGEND),
@@ -610,17 +630,19 @@ class TestMeshInspectorLook(WindowTestCase):
             choose(high),
             *look("moved"),
             choose(low),
+            *self.script("clear", CLEAR_LEGEND),
             *self.script("rescale", RESCALE),
             *look("rescaled"),
         )
         found = [json.loads(line) for line in places.read_text().splitlines()]
-        distances = [size - x for size, x, _, _ in found]
+        distances = [size - x for size, x, *_ in found]
         self.assertNotEqual(found[0][0], found[2][0])
         for i in (1, 2, 4):
             self.assertAlmostEqual(distances[i], distances[0], places=3)
         self.assertGreater(distances[0], 100)
         self.assertAlmostEqual(found[3][1], 0.5 * found[3][0], places=3)
         self.assertEqual([place[3] for place in found], [[1, 0]] * 4 + [[0, 1]])
+        self.assertEqual([bool(place[4]) for place in found], [True] * 4 + [False])
 
     def test_titles(self):
         """Legend and chart name criterion and unit, legends of reports as those of the window. All tables are in one view, all charts in another; the mesh's view

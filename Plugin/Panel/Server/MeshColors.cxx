@@ -42,8 +42,9 @@ DistributionRequest OneBin()
 //------------------------------------------------------------------------------
 constexpr const char* LegendName = "ScalarBarWidgetRepresentation";
 constexpr int AnyLocation = 0, LowerRightCorner = 2; // of a legend
-constexpr int WidthOfLegend = 130; // in pixels, with seven digits and a title beside it
-constexpr double Bottom = 0.02;    // its distance from the end of the view, as ParaView's
+constexpr int WidthOfLegend = 130;     // in pixels, with seven digits and a title beside it
+constexpr double Bottom = 0.02;        // its distance from the end of the view, as ParaView's
+constexpr double OpacityBehind = 0.75; // so that it can be read on a mesh that fills the view
 
 //------------------------------------------------------------------------------
 // What vtkQualityColors finds for a range of values.
@@ -262,8 +263,21 @@ vtkSMProxy* MeshColors::legend() const
 }
 
 //------------------------------------------------------------------------------
+// The background of the view, translucent.
+QVariant FindColorBehind(vtkSMProxy* view)
+{
+  vtkSMProxy* palette = view->GetSessionProxyManager()->GetProxy("settings", "ColorPalette");
+  const bool isOfPalette =
+    palette && GetProperty(view, "UseColorPaletteForBackground").toInt() != 0;
+  QVariantList color = isOfPalette ? GetProperty(palette, "BackgroundColor").toList()
+                                   : GetProperty(view, "Background").toList();
+  color.append(OpacityBehind);
+  return color;
+}
+
+//------------------------------------------------------------------------------
 // At the place where ParaView puts it, but it would move the bar with the length of the numbers: at
-// a fixed distance from the right end of the view. Where the user moves the legend, it stays.
+// a fixed distance from the right end of the view. What the user changes stays.
 void MeshColors::placeLegend()
 {
   vtkSMProxy* legend = this->legend();
@@ -272,14 +286,22 @@ void MeshColors::placeLegend()
   {
     return;
   }
-  QVariant& known = this->Places[legend->GetGlobalID()];
+  PlacedLegend& known = this->Legends[legend->GetGlobalID()];
   const QVariant place = QVariantList{ 1.0 - double(WidthOfLegend) / view->width(), Bottom };
   const int location = GetProperty(legend, "WindowLocation").toInt();
-  const bool isOurs = location == AnyLocation && GetProperty(legend, "Position") == known;
-  if (location == LowerRightCorner || (isOurs && known != place))
+  const bool isOurs = location == AnyLocation && GetProperty(legend, "Position") == known.Place;
+  if (location == LowerRightCorner || (isOurs && known.Place != place))
   {
-    known = place;
+    known.Place = place;
     SetTracedProperties(legend, { { "WindowLocation", AnyLocation }, { "Position", place } });
+  }
+  const QVariant behind = FindColorBehind(this->Mesh->view()->getViewProxy());
+  const bool isOurColor = legend->GetProperty("BackgroundColor")->IsValueDefault() ||
+    GetProperty(legend, "BackgroundColor") == known.ColorBehind;
+  if (isOurColor && known.ColorBehind != behind)
+  {
+    known.ColorBehind = behind;
+    SetTracedProperties(legend, { { "DrawBackground", 1 }, { "BackgroundColor", behind } });
   }
 }
 

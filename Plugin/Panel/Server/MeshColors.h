@@ -81,6 +81,13 @@ private:
     QMap<QString, QVariant> Legend; ///< properties of its legend
   };
 
+  /// What a legend has got here.
+  struct PlacedLegend
+  {
+    QVariant Place;
+    QVariant ColorBehind;
+  };
+
   vtkSMProxy* legend() const;
   /// Whether they are those of a criterion, and nobody has changed them.
   bool areOwn() const;
@@ -96,10 +103,10 @@ private:
 
   pqInspectedMesh* Mesh;
   pqMeshQuestions* Questions;
-  QMap<quint32, QVariant> Places;   // of legends, by their ids
-  bool HasLegend = false;           // the last colors of the mesh
-  bool IsUndone = false;            // or redone, since the legend was updated
-  QMap<quint32, OwnColors> Colored; // by the ids of color maps
+  QMap<quint32, PlacedLegend> Legends; // by their ids
+  bool HasLegend = false;              // the last colors of the mesh
+  bool IsUndone = false;               // or redone, since the legend was updated
+  QMap<quint32, OwnColors> Colored;    // by the ids of color maps
 };
 }
 

@@ -214,7 +214,7 @@ void SetLookOfInspection(vtkSMProxy* display)
   SetLookOfEdges(display);
   SetLightOfLegends(display);
   vtkSMProxy* palette = display->GetSessionProxyManager()->GetProxy("settings", "ColorPalette");
-  const QVariant usual = GetProperty(palette, "Surface");
+  const QVariant usual = GetProperty(palette, "SurfaceColor");
   const QVariant color = GetLook(display, "MeshColor");
   const auto isUsual = [&](const char* name)
   { return display->GetProperty(name)->IsValueDefault() || GetProperty(display, name) == usual; };
