@@ -92,7 +92,8 @@ private:
 };
 
 //------------------------------------------------------------------------------
-void ReadRule(TextScanner& scanner, std::vector<Preset::Rule>& rules)
+void ReadRule(TextScanner& scanner, const Criterion* (*find)(std::string_view),
+  std::vector<Preset::Rule>& rules)
 {
   Line line(scanner);
   std::string_view name;
@@ -100,7 +101,7 @@ void ReadRule(TextScanner& scanner, std::vector<Preset::Rule>& rules)
   {
     return;
   }
-  const Criterion* criterion = FindCriterion(name);
+  const Criterion* criterion = find(name);
   if (!criterion)
   {
     const std::string similar = FindSimilarName(name);
@@ -159,14 +160,14 @@ std::string FindSimilarName(std::string_view name)
 }
 
 //------------------------------------------------------------------------------
-std::vector<Preset::Rule> ParseRanges(
-  const std::string& file, const char* begin, const char* end, ScanError& error)
+std::vector<Preset::Rule> ParseRanges(const std::string& file, const char* begin, const char* end,
+  ScanError& error, const Criterion* (*find)(std::string_view))
 {
   TextScanner scanner(file, begin, end, '#');
   std::vector<Preset::Rule> rules;
   while (!scanner.HasFailed() && scanner.SkipSpace())
   {
-    ReadRule(scanner, rules);
+    ReadRule(scanner, find, rules);
   }
   error = scanner.GetError();
   return rules;

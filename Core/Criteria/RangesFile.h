@@ -16,8 +16,9 @@
 #include "Criteria/Criterion.h"
 #include "Scan/ScanError.h"
 
-#include <string> // for names
-#include <vector> // for rules
+#include <string>      // for names
+#include <string_view> // for names
+#include <vector>      // for rules
 
 namespace camaron
 {
@@ -25,9 +26,10 @@ namespace camaron
  * Parses the ranges in a text, in order. Errors state file, line, expected and found text: an
  * unknown or repeated criterion, a limit that is not a number, or an empty range.
  * @param file name for messages
+ * @param find the criterion with a name, nullptr if there is none; criteria of cells by default
  */
-std::vector<Preset::Rule> ParseRanges(
-  const std::string& file, const char* begin, const char* end, ScanError& error);
+std::vector<Preset::Rule> ParseRanges(const std::string& file, const char* begin, const char* end,
+  ScanError& error, const Criterion* (*find)(std::string_view) = FindCriterion);
 
 /// Name of the criterion that @a name may be a misspelling of; empty if none is similar.
 std::string FindSimilarName(std::string_view name);

@@ -38,14 +38,14 @@ vtkSmartPointer<vtkStringArray> MakePresetNames(const char* first)
 }
 
 //------------------------------------------------------------------------------
-std::vector<Preset::Rule> ReadRanges(
-  const std::string& lines, const std::string& path, Reducer& reducer)
+std::vector<Preset::Rule> ReadRanges(const std::string& lines, const std::string& path,
+  Reducer& reducer, const Criterion* (*find)(std::string_view))
 {
   std::vector<Preset::Rule> rules;
   const auto parse = [&](const std::string& name, const std::string& text)
   {
     ScanError error;
-    const auto parsed = ParseRanges(name, text.data(), text.data() + text.size(), error);
+    const auto parsed = ParseRanges(name, text.data(), text.data() + text.size(), error, find);
     if (error)
     {
       throw std::runtime_error(error.Message);
@@ -70,7 +70,7 @@ AcceptableRanges::AcceptableRanges(
   {
     throw std::invalid_argument("there is no preset named '" + name + "'");
   }
-  this->Rules = ReadRanges(lines, file, reducer);
+  this->Rules = ReadRanges(lines, file, reducer, FindAnyCriterion);
   if (preset)
   {
     this->Rules.insert(this->Rules.end(), preset->Rules.begin(), preset->Rules.end());

@@ -20,10 +20,11 @@
 
 #include "vtkSmartPointer.h" // for names
 
-#include <cstdint>  // for shapes
-#include <optional> // for optional results
-#include <string>   // for names
-#include <vector>   // for rules
+#include <cstdint>     // for shapes
+#include <optional>    // for optional results
+#include <string>      // for names
+#include <string_view> // for names
+#include <vector>      // for rules
 
 class vtkStringArray;
 
@@ -90,10 +91,11 @@ private:
 /// to all cells that have a value.
 unsigned GetJudgedShapes(const Criterion& criterion);
 
-/// Collective. The rules in lines of ranges, and in a file of ranges unless its path is empty.
-/// Throws std::runtime_error on all processes for invalid lines and for a file that cannot be read.
-std::vector<Preset::Rule> ReadRanges(
-  const std::string& lines, const std::string& path, Reducer& reducer);
+/// Collective. The rules in lines of ranges, and in a file of ranges unless its path is empty, of
+/// the criteria that find knows. Throws std::runtime_error on all processes for invalid lines and
+/// for a file that cannot be read.
+std::vector<Preset::Rule> ReadRanges(const std::string& lines, const std::string& path,
+  Reducer& reducer, const Criterion* (*find)(std::string_view) = FindCriterion);
 
 /// The bad end of the criterion's range. None if the criterion is unknown, or if neither small nor
 /// large values are worse. A one-sided acceptable range has a bad end: volumes must be above 0.

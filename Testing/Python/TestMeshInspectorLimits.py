@@ -210,7 +210,15 @@ class TestMeshInspectorLimits(WindowTestCase):
             self.assertIn(f"By criterion: {failing} cells", done.stdout)
         # As many as the column Bad counts, by the same ranges.
         bad = [f"{c['name']} {c['out_of_range']}" for c in criteria.values() if c["out_of_range"]]
-        self.play(*events, check(card("Criteria", "Tree"), "badCounts", ", ".join(bad)))
+        failing = checks["NonOrthogonality"]["failing"]
+        self.assertGreater(failing, 0)
+        counts = card("Criteria", "Tree")
+        self.play(
+            *events,
+            check(counts, "badCounts", ", ".join(bad)),
+            event(elements, "set_string", "Faces"),
+            check(counts, "badCounts", f"NonOrthogonality {failing}"),
+        )
         shutil.rmtree(report)
         self.replay(trace, "")
         again = json.loads((report / "summary.json").read_text("utf-8"))

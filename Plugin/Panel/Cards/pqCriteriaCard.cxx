@@ -200,7 +200,7 @@ void pqCriteriaCard::showDistributions()
   camaron::DistributionRequest request;
   constexpr int bins = 40;
   request.Bins = bins;
-  request.Ranges = this->elementType() == "Cell" ? this->state()->userRanges() : QStringList();
+  request.Ranges = this->state()->userRanges(this->elementType());
   QVector<camaron::Distribution> found;
   if (this->mayCompute(!evaluated.isEmpty()))
   {

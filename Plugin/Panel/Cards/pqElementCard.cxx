@@ -234,8 +234,8 @@ void pqElementCard::refresh()
   this->Summary->setText(tr("%1 %2: %3 at %4, %5, %6")
       .arg(noun, this->Wanted, camaron::CellTypeName(element.text(0, "CellType")), number("X"),
         number("Y"), number("Z")));
-  const QStringList bad = this->questions()->failing(
-    this->Wanted.toLongLong(), this->IdSpace, this->state()->userRanges());
+  const QStringList bad = this->questions()->failing(this->Wanted.toLongLong(), this->IdSpace,
+    this->state()->userRanges(this->mesh()->elementType()));
   this->Values->setTable(Transpose(element, bad, *this->state()));
   this->NeighborIds.clear();
   for (int row = 1; row < element.size(); ++row)

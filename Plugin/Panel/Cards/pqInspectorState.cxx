@@ -277,14 +277,15 @@ camaron::Limits pqInspectorState::userLimitsOf(const QString& criterion) const
 }
 
 //------------------------------------------------------------------------------
-QStringList pqInspectorState::userRanges() const
+QStringList pqInspectorState::userRanges(const QString& elements) const
 {
   QStringList lines;
   const QMap<QString, camaron::Limits> limits = this->allLimits();
   for (auto item = limits.cbegin(); item != limits.cend(); ++item)
   {
     const QString element = item.key().section('/', 0, 0), name = item.key().section('/', 1);
-    if (element == "Cell" && item.value() && IsCriterion(*this->Services.Questions, element, name))
+    if (element == elements && item.value() &&
+      IsCriterion(*this->Services.Questions, element, name))
     {
       lines << SpellRange(name, *item.value());
     }
@@ -318,6 +319,6 @@ camaron::ReportRequest pqInspectorState::reportRequest() const
     }
   }
   request.Rules.Rules = lines.join('\n');
-  request.Ranges = this->userRanges();
+  request.Ranges = this->userRanges("Cell");
   return request;
 }

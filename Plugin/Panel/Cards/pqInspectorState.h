@@ -65,9 +65,9 @@ public:
 
   ///@{
   /// All ranges that the user has set: of a criterion of the elements of the mesh, and those of
-  /// cells as lines of a file of ranges (Core/Criteria/RangesFile.h).
+  /// elements such as "Cell" as lines of a file of ranges (Core/Criteria/RangesFile.h).
   camaron::Limits userLimitsOf(const QString& criterion) const;
-  QStringList userRanges() const;
+  QStringList userRanges(const QString& elements) const;
   ///@}
 
   /// The range as a rule for `camaron check`; empty without limits or criterion.
