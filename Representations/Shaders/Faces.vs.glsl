@@ -101,22 +101,21 @@ vec3 lineThrough(vec4 a, vec4 b)
 // A triangle on the screen, in pixels.
 struct Outline
 {
-  vec2 sides[3]; // from the first corner to the second, and so on
-  vec3 lengths;
-  float longest;
-  float area;  // negative if the corners are clockwise
-  bool isSeen; // false if it reaches behind the eye
+  vec2 corners[3];
+  float longest; // length of its longest side
+  float area;    // negative if the corners are clockwise
+  bool isSeen;   // false if it reaches behind the eye
 };
 
 Outline findOutline(vec4 a, vec4 b, vec4 c)
 {
   vec2 size = 0.5 * viewportSize;
-  vec2 p = a.xy / a.w * size, q = b.xy / b.w * size, r = c.xy / c.w * size;
+  vec2 p = (a.xy / a.w + 1.0) * size, q = (b.xy / b.w + 1.0) * size, r = (c.xy / c.w + 1.0) * size;
+  vec2 u = q - p, v = r - p, w = r - q;
   Outline outline;
-  outline.sides = vec2[3](q - p, r - q, p - r);
-  outline.lengths = max(vec3(length(q - p), length(r - q), length(p - r)), 1.0e-9);
-  outline.longest = max(max(outline.lengths.x, outline.lengths.y), outline.lengths.z);
-  outline.area = 0.5 * ((q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x));
+  outline.corners = vec2[3](p, q, r);
+  outline.longest = max(sqrt(max(max(dot(u, u), dot(v, v)), dot(w, w))), 1.0e-9);
+  outline.area = 0.5 * (u.x * v.y - u.y * v.x);
   outline.isSeen = min(min(a.w, b.w), c.w) > 0.0;
   return outline;
 }
@@ -140,9 +139,9 @@ float findGrowth(Outline outline, uint cell)
 // Moves a corner of a triangle outwards of its two sides.
 vec2 moveCorner(Outline outline, int corner, float growth)
 {
-  int before = (corner + 2) % 3;
-  vec2 along = outline.sides[before] / outline.lengths[before] +
-    outline.sides[corner] / outline.lengths[corner];
+  vec2 before = outline.corners[corner] - outline.corners[(corner + 2) % 3];
+  vec2 after = outline.corners[(corner + 1) % 3] - outline.corners[corner];
+  vec2 along = before / max(length(before), 1.0e-9) + after / max(length(after), 1.0e-9);
   return (outline.area < 0.0 ? -growth : growth) * vec2(along.y, -along.x);
 }
 #endif
@@ -270,7 +269,9 @@ void main()
   // Pixels from a line to the next. Polygons consist of triangles; those at their corners are
   // narrower than they are.
   const float narrower = 3.0;
-  vec3 spaces = min(vec3(outline.longest), narrower * 2.0 * abs(outline.area) / outline.lengths);
+  vec3 heights = abs(vec3(dot(lines[0], vec3(outline.corners[2], 1.0)),
+    dot(lines[1], vec3(outline.corners[0], 1.0)), dot(lines[2], vec3(outline.corners[1], 1.0))));
+  vec3 spaces = min(vec3(outline.longest), narrower * heights);
   uint last = max(max(triangle.x, triangle.y), triangle.z);
   spaces *= int(last) >= numberOfNodes ? partsOfEdge : 1.0;
   // Where lines are close, they would hide the colors: a line of a pixel fades where it would cover
