@@ -240,14 +240,14 @@ void FluentContainer::WarnOfUnused(Warnings& warnings) const
 }
 
 //------------------------------------------------------------------------------
-bool FluentContainer::LoadStored(const FluentSection& section, std::int64_t first,
+void FluentContainer::LoadStored(const FluentSection& section, std::int64_t first,
   std::int64_t count, Buffer<std::int32_t>& values)
 {
   const std::int64_t id = section.Header[1] + first;
   if (section.Index == FluentSection::FacesIndex)
   {
     this->LoadFaces(id, count, static_cast<std::int32_t>(section.GetElement()), values);
-    return true;
+    return;
   }
   values = Buffer<std::int32_t>(count);
   this->Types.Read(id, count, values.data());
@@ -259,16 +259,14 @@ bool FluentContainer::LoadStored(const FluentSection& section, std::int64_t firs
         "the type of cell " + std::to_string(id + i));
     }
   }
-  return true;
 }
 
 //------------------------------------------------------------------------------
-bool FluentContainer::LoadStored(
+void FluentContainer::LoadStored(
   const FluentSection&, std::int64_t first, std::int64_t count, Buffer<double>& values)
 {
   const std::int64_t size = count * this->Dimension;
   values = values.size() < size ? Buffer<double>(size) : std::move(values);
   this->Coordinates.Read(1 + first, count, values.data());
-  return true;
 }
 }

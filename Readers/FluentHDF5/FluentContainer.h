@@ -39,9 +39,9 @@ public:
   /// Warns about what is in the file and is not used.
   void WarnOfUnused(Warnings& warnings) const;
 
-  bool LoadStored(const FluentSection& section, std::int64_t first, std::int64_t count,
+  void LoadStored(const FluentSection& section, std::int64_t first, std::int64_t count,
     Buffer<std::int32_t>& values) override;
-  bool LoadStored(const FluentSection& section, std::int64_t first, std::int64_t count,
+  void LoadStored(const FluentSection& section, std::int64_t first, std::int64_t count,
     Buffer<double>& values) override;
 
 private:

@@ -14,23 +14,6 @@ namespace camaron
 {
 namespace
 {
-constexpr int FirstBinaryIndex = 2000, EndBinaryIndex = 4000;
-
-//------------------------------------------------------------------------------
-// The index of a section without its encoding.
-int GetPlainIndex(int index)
-{
-  return index >= FirstBinaryIndex && index < EndBinaryIndex ? index % 1000 : index;
-}
-
-//------------------------------------------------------------------------------
-bool DescribesMesh(int index)
-{
-  return index == FluentSection::NodesIndex || index == FluentSection::CellsIndex ||
-    index == FluentSection::FacesIndex || index == FluentSection::FaceTreeIndex ||
-    index == FluentSection::InterfaceIndex;
-}
-
 //------------------------------------------------------------------------------
 // Moves @a place past the parenthesis that closes @a depth open ones (0 if the first one follows)
 // and those opened after it; false at the end of the text, with @a place unchanged. With @a quotes,
@@ -363,17 +346,25 @@ bool FluentMeshFile::ReadSection()
     return false;
   }
   this->Position = text;
+  constexpr int FirstSingle = 2000, FirstDouble = 3000, EndBinary = 4000;
   const int index = static_cast<int>(number);
-  section.Index = GetPlainIndex(index);
-  const bool isBinary = section.Index != index;
+  const bool isBinary = index >= FirstSingle && index < EndBinary;
+  section.Index = isBinary ? index % 1000 : index;
   if (isBinary)
   {
-    section.RealSize = index < 3000 ? 4 : 8;
+    section.RealSize = index < FirstDouble ? 4 : 8;
     this->FirstBinary = this->FirstBinary ? this->FirstBinary : section.Place;
   }
-  if (DescribesMesh(section.Index))
+  switch (section.Index)
   {
-    return this->ReadMeshSection(section, index);
+    case FluentSection::NodesIndex:
+    case FluentSection::CellsIndex:
+    case FluentSection::FacesIndex:
+    case FluentSection::FaceTreeIndex:
+    case FluentSection::InterfaceIndex:
+      return this->ReadMeshSection(section, index);
+    default:
+      break;
   }
   if (isBinary)
   {

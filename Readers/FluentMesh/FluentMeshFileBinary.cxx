@@ -79,10 +79,6 @@ const char* FluentMeshFile::FindLists(FluentSection& section)
   }
   for (std::int64_t i = 0; i < count; ++i)
   {
-    if (i % BlockSize == 0)
-    {
-      section.Blocks.push_back(place);
-    }
     const std::int64_t left = (this->End - place) / 4;
     const std::int32_t size = left > 0 ? Load<std::int32_t>(place, this->Swap) : 0;
     if (left < others || size < 0 || size > left - others)
@@ -96,12 +92,6 @@ const char* FluentMeshFile::FindLists(FluentSection& section)
       return nullptr;
     }
     place += 4 * (size + others);
-    if ((place - section.Blocks.back()) / 4 > INT32_MAX)
-    {
-      this->FailAt(
-        place, ErrorKind::Unsupported, "less than 8 GB for 1024 consecutive faces", "more");
-      return nullptr;
-    }
   }
   return place;
 }
@@ -138,7 +128,6 @@ bool FluentMeshFile::ReadBinaryBody(FluentSection& section, int index)
   {
     this->Error = ScanError(); // of a longer gap
     section.Begin = open + 1 + gap;
-    section.Blocks.clear();
     section.End = this->FindEndOfData(section);
     const char* const next = section.End ? this->FindEndMark(section.End, index, true) : nullptr;
     if (next)

@@ -103,7 +103,7 @@ void Collect(const FluentMesh& mesh, const FluentFaces::Run& run, ZoneFaces& zon
       {
         leaf = mesh.Cells.FindLeaf(face.GetCell(side));
       }
-      const std::int32_t size = face.Nodes.Size;
+      const std::int32_t size = face.Size;
       zone.Free += run.Bounds && face.GetCell(0) == 0 && face.GetCell(1) == 0;
       if (leaf < 0 || size == 0 || mesh.Piece.IsGhostCell(leaf))
       {

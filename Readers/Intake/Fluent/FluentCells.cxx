@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Intake/Fluent/FluentCells.h"
 
+#include "Intake/Fluent/FluentNumbers.h"
 #include "Intake/Fluent/FluentText.h"
 
 #include <algorithm>
@@ -47,27 +48,34 @@ bool FluentCells::ReadElements(FluentFile& file, const FluentSection& section, R
       std::to_string(bytes) + " characters");
     return false;
   }
+  FluentNumbers<std::int32_t> numbers(file, section);
   Buffer<std::int32_t> values;
-  const std::int64_t size = !section.IsStored    ? file.ReadIntegers(section, values)
-    : file.LoadStored(section, 0, count, values) ? count
-                                                 : 0;
+  std::int64_t size = count;
+  if (section.IsStored)
+  {
+    file.LoadStored(section, 0, count, values);
+  }
+  else
+  {
+    numbers.Read(numbers.All);
+    size = numbers.GetCount();
+    values = numbers.Take();
+  }
   run.Elements.resize(static_cast<std::size_t>(count));
   for (std::int64_t i = 0; i < count; ++i)
   {
     const bool isNumber = i < size;
     if (!isNumber || values[i] < 0 || values[i] > MaxElement)
     {
-      file.FailAt(FluentFile::FindInteger(section, i),
-        isNumber ? ErrorKind::Index : ErrorKind::Syntax,
+      file.FailAt(numbers.Find(i), isNumber ? ErrorKind::Index : ErrorKind::Syntax,
         "the type of cell " + std::to_string(run.Begin + i + 1) + " from 0 to 7");
       return false;
     }
     run.Elements[static_cast<std::size_t>(i)] = camaron::GetElement(values[i], file.GetDimension());
   }
-  if (const char* const rest = section.IsText() ? FluentFile::FindInteger(section, count) : nullptr;
-    rest && SkipSpaceFrom(rest, section.End) < section.End)
+  if (section.IsText() && numbers.Find(count) < section.End)
   {
-    file.FailAt(SkipSpaceFrom(rest, section.End), ErrorKind::Count,
+    file.FailAt(numbers.Find(count), ErrorKind::Count,
       "the end of the section after the types of " + std::to_string(count) + " cells");
     return false;
   }

@@ -108,13 +108,6 @@ bool FluentFaces::Open(FluentFile& file, std::int64_t nodes)
     run.Size = element == FluentSection::Polygons ? 0 : static_cast<std::int32_t>(element);
     run.Bounds =
       run.BoundaryType != FluentBoundary::Parent && run.BoundaryType < FluentBoundary::Nonconformal;
-    if (run.IsInFile())
-    {
-      run.Data = section->Begin;
-      run.DataEnd = section->End;
-      run.Swap = file.IsSwapped();
-      run.Blocks = section->Blocks;
-    }
     this->Runs.push_back(std::move(run));
   }
   this->LeaveOutInterfaces();
@@ -161,7 +154,7 @@ std::int64_t FluentFaces::SetWords(const std::int32_t* words, std::int64_t size,
   const vtkIdType most = batch.End - batch.Begin;
   std::int64_t used = 0;
   vtkIdType faces = batch.Size > 0 ? std::min<vtkIdType>(most, size / (batch.Size + 2)) : 0;
-  batch.Data = reinterpret_cast<const char*>(words);
+  batch.Words = words;
   batch.Blocks.clear();
   for (; batch.Size == 0 && faces < most && used < size; ++faces)
   {
@@ -172,20 +165,18 @@ std::int64_t FluentFaces::SetWords(const std::int32_t* words, std::int64_t size,
     }
     if (faces % BlockSize == 0)
     {
-      batch.Blocks.push_back(batch.Data + 4 * used);
+      batch.Blocks.push_back(words + used);
     }
     used += own + 3;
   }
-  used = batch.Size > 0 ? faces * (batch.Size + 2) : used;
-  batch.DataEnd = batch.Data + 4 * used;
   batch.End = batch.Begin + faces;
-  return used;
+  return batch.Size > 0 ? faces * (batch.Size + 2) : used;
 }
 
 //------------------------------------------------------------------------------
-bool FluentFaces::ForBatchesOfText(const Run& run, FunctionRef<bool(const Run&)> visit) const
+bool FluentFaces::ForBatchesInFile(const Run& run, FunctionRef<bool(const Run&)> visit) const
 {
-  FluentNumbers<std::int32_t> numbers(run.Section->Begin, run.Section->End);
+  FluentNumbers<std::int32_t> numbers(*this->File, *run.Section);
   const std::ptrdiff_t most = numbers.GetBatch();
   Run batch = run;
   for (batch.End = run.Begin; batch.End < run.End;)
@@ -203,9 +194,7 @@ bool FluentFaces::ForBatchesOfText(const Run& run, FunctionRef<bool(const Run&)>
         break;
       }
     }
-    const auto locate = [&](const char* word)
-    { return SkipSpaceFrom(numbers.Find((word - batch.Data) / 4), numbers.GetEnd()); };
-    if (!this->CheckIds(batch, Progress(), locate))
+    if (!this->CheckIds(batch, numbers))
     {
       return false;
     }
@@ -220,7 +209,7 @@ bool FluentFaces::ForBatchesOfText(const Run& run, FunctionRef<bool(const Run&)>
       return false;
     }
   }
-  const char* const place = SkipSpaceFrom(numbers.GetBegin(), numbers.GetEnd());
+  const char* const place = numbers.Find(0);
   if (place != numbers.GetEnd())
   {
     this->File->FailAt(place, ErrorKind::Count,
@@ -230,7 +219,7 @@ bool FluentFaces::ForBatchesOfText(const Run& run, FunctionRef<bool(const Run&)>
 }
 
 //------------------------------------------------------------------------------
-// The error of a text in which the next face is incomplete.
+// The error of a section in which the next face is incomplete.
 void FluentFaces::FailInFace(const FluentNumbers<std::int32_t>& numbers, const Run& batch) const
 {
   const char* const end = numbers.GetEnd();
@@ -239,7 +228,7 @@ void FluentFaces::FailInFace(const FluentNumbers<std::int32_t>& numbers, const R
   const std::int64_t size = isList && numbers.GetCount() > 0 ? numbers.GetData()[0] : batch.Size;
   const std::int64_t word = size > mostNodes ? 0 : numbers.GetCount(); // of the face
   const bool isSize = isList && word == 0;
-  const char* const place = SkipSpaceFrom(numbers.Find(word), end);
+  const char* const place = numbers.Find(word);
   std::int64_t value = 0;
   const bool isLarge = ParseHex(place, end, value) != nullptr;
   this->File->FailAt(place,
@@ -264,22 +253,18 @@ bool FluentFaces::ForBatchesOf(
     done += static_cast<double>(batch.End - batch.Begin) / static_cast<double>(run.End - run.Begin);
     return visit(batch, progress.Part(before, done));
   };
-  if (run.IsInFile())
+  if (!run.Section->IsStored)
   {
-    return visit(run, progress);
-  }
-  if (run.Section->IsText())
-  {
-    return this->ForBatchesOfText(run, visitPart) && !progress.IsStopped();
+    return this->ForBatchesInFile(run, visitPart) && !progress.IsStopped();
   }
   PieceExchange none(nullptr);
   PieceExchange& exchange = inOrder || !this->File->Exchange ? none : *this->File->Exchange;
   return exchange.ForBatches<std::int32_t>(
            run.Begin, run.End - run.Begin, FluentFile::GetStoredBatch(this->GetCount()),
-           [&](std::int64_t begin, std::int64_t end, Buffer<std::int32_t>& words) -> std::int64_t
+           [&](std::int64_t begin, std::int64_t end, Buffer<std::int32_t>& words)
            {
-             return this->File->LoadStored(*run.Section, begin, end - begin, words) ? words.size()
-                                                                                    : -1;
+             this->File->LoadStored(*run.Section, begin, end - begin, words);
+             return words.size();
            },
            [&](std::int64_t begin, std::int64_t end, const std::int32_t* words, std::int64_t size)
            {
@@ -306,62 +291,47 @@ bool FluentFaces::ForEachBatch(const Progress& progress, bool inOrder, VisitBatc
 }
 
 //------------------------------------------------------------------------------
-// Checks the ids of nodes and cells; locate(bytes of an id) returns its place in the file.
-bool FluentFaces::CheckIds(
-  const Run& run, const Progress& progress, FunctionRef<const char*(const char*)> locate) const
+// Checks the ids of nodes and cells in a batch, which are the next ones of the numbers.
+bool FluentFaces::CheckIds(const Run& batch, const FluentNumbers<std::int32_t>& numbers) const
 {
-  std::atomic<vtkIdType> bad{ run.End };
-  if (!progress.ForBlocks(run.End - run.Begin, BlockSize,
-        [&](vtkIdType first, vtkIdType last)
+  std::atomic<vtkIdType> bad{ batch.End };
+  Progress().ForBlocks(batch.End - batch.Begin, BlockSize,
+    [&](vtkIdType first, vtkIdType last)
+    {
+      ForEachOf(batch, batch.Begin + first, batch.Begin + last,
+        [&](vtkIdType position, const FluentFace& face)
         {
-          ForEachOf(run, run.Begin + first, run.Begin + last,
-            [&](vtkIdType position, const FluentFace& face)
-            {
-              bool good = this->IsId(face.GetCell(0), false) && this->IsId(face.GetCell(1), false);
-              for (std::int32_t i = 0; i < face.Nodes.Size; ++i)
-              {
-                good &= this->IsId(face.Nodes[i], true);
-              }
-              if (!good)
-              {
-                LowerTo(bad, position);
-              }
-            });
-        }))
-  {
-    return false;
-  }
-  if (bad == run.End)
+          bool good = this->IsId(face.GetCell(0), false) && this->IsId(face.GetCell(1), false);
+          for (std::int32_t i = 0; i < face.Size; ++i)
+          {
+            good &= this->IsId(face.Nodes[i], true);
+          }
+          if (!good)
+          {
+            LowerTo(bad, position);
+          }
+        });
+    });
+  if (bad == batch.End)
   {
     return true;
   }
-  ForEachOf(run, bad - (bad - run.Begin) % BlockSize, bad + 1,
+  ForEachOf(batch, bad - (bad - batch.Begin) % BlockSize, bad + 1,
     [&](vtkIdType position, const FluentFace& face)
     {
-      for (std::int32_t i = 0; position == bad && i < face.Nodes.Size + 2; ++i)
+      for (std::int32_t i = 0; position == bad && i < face.Size + 2; ++i)
       {
-        const bool isNode = i < face.Nodes.Size;
+        const bool isNode = i < face.Size;
         if (!this->IsId(face.Nodes[i], isNode))
         {
-          this->File->FailAt(locate(face.Nodes.Ids + 4 * std::ptrdiff_t(i)), ErrorKind::Index,
+          this->File->FailAt(numbers.Find(face.Nodes + i - batch.Words), ErrorKind::Index,
             std::string(isNode ? "a node" : "a cell") + " of face " +
-              std::to_string(run.FirstId + position - run.Begin) + " from " +
+              std::to_string(batch.FirstId + position - batch.Begin) + " from " +
               (isNode ? "1 to " : "0 to ") + std::to_string(isNode ? this->Nodes : this->Cells),
             std::to_string(face.Nodes[i]));
         }
       }
     });
   return false;
-}
-
-//------------------------------------------------------------------------------
-bool FluentFaces::Check(const Progress& progress) const
-{
-  return std::all_of(this->Runs.begin(), this->Runs.end(),
-    [&](const Run& run)
-    {
-      return !run.IsInFile() ||
-        this->CheckIds(run, this->GetPart(progress, run), [](const char* place) { return place; });
-    });
 }
 }

@@ -4,9 +4,8 @@
  * @class camaron::FluentFaces
  * @brief All faces of a Fluent file: their nodes, and the cells on both sides.
  *
- * Binary faces are read in place; those in text, and stored ones, are converted to the form of a
- * binary file, batch by batch, whenever they are visited. Faces are numbered by position, in the
- * order of their ids.
+ * Faces are loaded and checked batch by batch, whenever they are visited. They are numbered by
+ * position, in the order of their ids.
  */
 #ifndef camaron_FluentFaces_h
 #define camaron_FluentFaces_h
@@ -15,8 +14,6 @@
 #include "Base/FunctionRef.h"
 #include "Intake/Fluent/FluentFile.h"
 #include "Intake/Fluent/FluentNumbers.h"
-#include "Intake/Rows/Bytes.h"
-#include "Intake/Rows/IdLists.h"
 
 #include <algorithm> // for shares
 #include <string>    // for names of types
@@ -24,11 +21,12 @@
 
 namespace camaron
 {
-/// A face, read in place. Nodes and cells are ids of the file: from 1, with 0 for no cell.
+/// A face in memory. Nodes and cells are ids of the file: from 1, with 0 for no cell.
 struct FluentFace
 {
-  IdList Nodes;
-  std::int32_t GetCell(int side) const { return this->Nodes[this->Nodes.Size + side]; }
+  const std::int32_t* Nodes; ///< and the cells behind them
+  std::int32_t Size;         ///< number of nodes
+  std::int32_t GetCell(int side) const { return this->Nodes[std::ptrdiff_t(this->Size) + side]; }
 };
 
 /// Boundary types in the headers of face sections.
@@ -48,7 +46,7 @@ std::string GetFluentZoneType(int boundaryType);
 class FluentFaces
 {
 public:
-  /// The faces of one zone, or of one section of it.
+  /// The faces of one zone, or of one section of it, or a batch of these.
   struct Run
   {
     vtkIdType Begin = 0, End = 0; ///< positions
@@ -58,10 +56,8 @@ public:
     std::int32_t Size = 0; ///< number of nodes of every face, 0 if each states its own
     bool Bounds = true;    ///< whether the faces bound cells of the mesh
     const FluentSection* Section = nullptr;
-    const char* Data = nullptr; ///< if in memory, in the form of a binary file
-    const char* DataEnd = nullptr;
-    bool Swap = false;
-    std::vector<const char*> Blocks; ///< begins of every 1024th face, if sizes differ
+    const std::int32_t* Words = nullptr;     ///< of a batch, as in a binary file
+    std::vector<const std::int32_t*> Blocks; ///< begins of every 1024th face, if sizes differ
 
     bool IsOfBoundary() const
     {
@@ -77,7 +73,6 @@ public:
             ? first != 0
             : this->BoundaryType == FluentBoundary::Interior && (first == 0 || second == 0));
     }
-    bool IsInFile() const { return this->Section->Begin && !this->Section->IsText(); }
   };
   static constexpr vtkIdType BlockSize = FluentFile::BlockSize; ///< faces per block of a run
 
@@ -85,10 +80,6 @@ public:
   /// in it. @a nodes is the greatest node id.
   bool Open(FluentFile& file, std::int64_t nodes);
   void SetNumberOfCells(std::int64_t cells) { this->Cells = cells; }
-
-  /// Checks the ids of nodes and cells in place; all others are checked when they are loaded. False
-  /// with the error in the file, or if aborted.
-  bool Check(const Progress& progress) const;
 
   const FluentFile& GetFile() const { return *this->File; }
   vtkIdType GetCount() const { return this->Runs.empty() ? 0 : this->Runs.back().End; }
@@ -98,7 +89,7 @@ public:
 
   ///@{
   /**
-   * Calls visit(batch, progress) for runs, or for consecutive faces of one, in memory, until it
+   * Calls visit(batch, progress) for consecutive faces of one run, whose ids are in range, until it
    * returns false. False if it did, with the error in the file, or if aborted.
    * @param inOrder whether the order matters; otherwise processes share the work of loading
    */
@@ -127,36 +118,18 @@ public:
   template <typename Visit>
   static void ForEachOf(const Run& run, vtkIdType begin, vtkIdType end, Visit&& visit)
   {
-    const char* place = run.Size > 0
-      ? run.Data + (begin - run.Begin) * GetStride(run.Size)
+    const std::int32_t* word = run.Size > 0
+      ? run.Words + (begin - run.Begin) * (run.Size + 2)
       : run.Blocks[static_cast<std::size_t>((begin - run.Begin) / BlockSize)];
     for (vtkIdType face = begin; face < end; ++face)
     {
-      const FluentFace record = Read(run, place);
-      visit(face, record);
-      place += (run.Size > 0 ? 0 : 4) + GetStride(record.Nodes.Size);
+      const std::int32_t size = run.Size > 0 ? run.Size : *word++;
+      visit(face, FluentFace{ word, size });
+      word += std::ptrdiff_t(size) + 2;
     }
   }
 
 private:
-  static std::ptrdiff_t GetStride(std::int32_t size) { return 4 * (std::ptrdiff_t(size) + 2); }
-  static FluentFace Read(const Run& run, const char* place)
-  {
-    if (run.Size > 0)
-    {
-      return { { place, run.Size, run.Swap } };
-    }
-    // The face fits, unless another program has changed the file.
-    const std::ptrdiff_t room = (run.DataEnd - place) / 4 - 3;
-    if (room < 0)
-    {
-      static constexpr std::int32_t NoCells[2] = { 0, 0 };
-      return { { reinterpret_cast<const char*>(NoCells), 0, 0 } };
-    }
-    const auto size = camaron::Load<std::int32_t>(place, run.Swap);
-    return { { place + 4, size >= 0 && size <= room ? size : 0, run.Swap } };
-  }
-
   Progress GetPart(const Progress& progress, const Run& run) const
   {
     const auto count = static_cast<double>(std::max<vtkIdType>(this->GetCount(), 1));
@@ -170,9 +143,8 @@ private:
     return isNode ? static_cast<std::uint64_t>(value - 1) < static_cast<std::uint64_t>(this->Nodes)
                   : static_cast<std::uint64_t>(value) <= static_cast<std::uint64_t>(this->Cells);
   }
-  bool CheckIds(
-    const Run& run, const Progress& progress, FunctionRef<const char*(const char*)> locate) const;
-  bool ForBatchesOfText(const Run& run, FunctionRef<bool(const Run&)> visit) const;
+  bool CheckIds(const Run& batch, const FluentNumbers<std::int32_t>& numbers) const;
+  bool ForBatchesInFile(const Run& run, FunctionRef<bool(const Run&)> visit) const;
   void FailInFace(const FluentNumbers<std::int32_t>& numbers, const Run& batch) const;
   static std::int64_t SetWords(const std::int32_t* words, std::int64_t size, Run& batch);
 

@@ -2,9 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Intake/Fluent/FluentFile.h"
 
-#include "Intake/Fluent/FluentNumbers.h"
 #include "Intake/Fluent/FluentText.h"
-#include "Intake/Rows/Bytes.h"
 #include "Scan/ScanError.h"
 
 #include <algorithm>
@@ -80,32 +78,5 @@ bool FluentFile::CheckIds(const FluentSection& section, std::int64_t lastId,
       what + " from 1 to " + std::to_string(declared.Count), std::to_string(section.Header[2]));
   }
   return !this->HasFailed();
-}
-
-//------------------------------------------------------------------------------
-std::int64_t FluentFile::ReadIntegers(
-  const FluentSection& section, Buffer<std::int32_t>& values) const
-{
-  if (section.IsText())
-  {
-    FluentNumbers<std::int32_t> numbers(section.Begin, section.End);
-    numbers.Read(numbers.All);
-    values = numbers.Take();
-    return numbers.GetCount();
-  }
-  const std::int64_t count = (section.End - section.Begin) / 4;
-  values = Buffer<std::int32_t>(count);
-  for (std::int64_t i = 0; i < count; ++i)
-  {
-    values[i] = Load<std::int32_t>(section.Begin + 4 * i, this->IsSwapped());
-  }
-  return count;
-}
-
-//------------------------------------------------------------------------------
-const char* FluentFile::FindInteger(const FluentSection& section, std::int64_t i)
-{
-  return section.IsText() ? FluentNumbers<std::int32_t>(section.Begin, section.End).Find(i)
-                          : section.Begin + 4 * i;
 }
 }

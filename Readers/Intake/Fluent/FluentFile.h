@@ -45,7 +45,6 @@ struct FluentSection
   int HeaderSize = 0;
   const char* Begin = nullptr; ///< of the body; nullptr if there is none
   const char* End = nullptr;
-  std::vector<const char*> Blocks; ///< in binary, begins of every 1024th face, if sizes differ
 
   /// A section that FluentFile::LoadStored reads.
   static FluentSection MakeStored(int index, std::initializer_list<std::int64_t> header)
@@ -84,7 +83,7 @@ struct FluentZone
 class FluentFile
 {
 public:
-  static constexpr std::int64_t BlockSize = 1024; ///< lists per entry of FluentSection::Blocks
+  static constexpr std::int64_t BlockSize = 1024; ///< records that are found without others
   /// Records that are loaded at once: enough for many threads, but only a small part of all.
   static std::int64_t GetStoredBatch(std::int64_t all)
   {
@@ -99,8 +98,6 @@ public:
   FluentFile& operator=(const FluentFile&) = delete;
 
   const std::string& GetName() const { return this->Name; }
-  const char* GetBegin() const { return this->Begin; }
-  const char* GetEnd() const { return this->End; }
   /// 2 or 3.
   int GetDimension() const { return this->Dimension; }
   /// Whether the bytes of binary sections must be swapped.
@@ -129,26 +126,18 @@ public:
     const std::string& what);
   ///@{
   /// Replaces @a values by consecutive records of a stored section of faces or types of cells, or
-  /// by the coordinates of nodes; false with the error. @a first counts from 0.
-  virtual bool LoadStored(const FluentSection& /*section*/, std::int64_t /*first*/,
+  /// by the coordinates of nodes; @a first counts from 0. Throws a ScanError.
+  virtual void LoadStored(const FluentSection& /*section*/, std::int64_t /*first*/,
     std::int64_t /*count*/, Buffer<std::int32_t>& /*values*/)
   {
-    return false;
   }
-  virtual bool LoadStored(const FluentSection& /*section*/, std::int64_t /*first*/,
+  virtual void LoadStored(const FluentSection& /*section*/, std::int64_t /*first*/,
     std::int64_t /*count*/, Buffer<double>& /*values*/)
   {
-    return false;
   }
   ///@}
   /// By which processes share the work of loading; nullptr if they do not.
   PieceExchange* Exchange = nullptr;
-  ///@{
-  /// The integers in the body of a section that is in the file, up to the first word that is none;
-  /// returns their number. And the place of one.
-  std::int64_t ReadIntegers(const FluentSection& section, Buffer<std::int32_t>& values) const;
-  static const char* FindInteger(const FluentSection& section, std::int64_t i);
-  ///@}
 
   /// Sets the error, unless there is one: "place: expected ..., found ...".
   void FailAt(

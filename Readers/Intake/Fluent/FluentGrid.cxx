@@ -58,7 +58,7 @@ Cells FindCells(
   const FluentMesh& mesh, const FluentFaces::Run& run, const FluentFace& face, bool isSplit)
 {
   Cells cells = { -1, -1 };
-  for (int side = 0; side < 2 && face.Nodes.Size > 0 && (run.Bounds || isSplit); ++side)
+  for (int side = 0; side < 2 && face.Size > 0 && (run.Bounds || isSplit); ++side)
   {
     const vtkIdType cell = mesh.FindCell(face.GetCell(side));
     cells[side] = cell >= 0 && (run.Bounds || mesh.GetShape(cell).Faces > 0) ? cell : -1;
@@ -127,7 +127,7 @@ void FaceCollection::Add(
   const FluentFaces::Run& run, vtkIdType position, const FluentFace& face, Part& part)
 {
   const Cells cells = FindCells(this->Mesh, run, face, this->Split.Contains(position));
-  if (run.HasOddCells(face.GetCell(0), face.GetCell(1)) && face.Nodes.Size > 0)
+  if (run.HasOddCells(face.GetCell(0), face.GetCell(1)) && face.Size > 0)
   {
     const std::lock_guard<std::mutex> lock(this->Mutex);
     this->Odd.Add(run, position, face);
@@ -136,8 +136,8 @@ void FaceCollection::Add(
   {
     return;
   }
-  part.Words.push_back(face.Nodes.Size);
-  for (std::int32_t i = 0; i < face.Nodes.Size; ++i)
+  part.Words.push_back(face.Size);
+  for (std::int32_t i = 0; i < face.Size; ++i)
   {
     const vtkIdType point = this->Mesh.Piece.FindPoint(face.Nodes[i] - 1);
     part.Words.push_back(static_cast<std::int32_t>(point));

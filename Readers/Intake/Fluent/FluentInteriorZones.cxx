@@ -40,7 +40,7 @@ void FluentInteriorZones::Add(
       {
         return;
       }
-      const Key key = MakeKey(cells.GetZone(a), cells.GetZone(b), face.Nodes.Size);
+      const Key key = MakeKey(cells.GetZone(a), cells.GetZone(b), face.Size);
       if (last == this->Zones.end() || last->first != key)
       {
         last = this->Zones.emplace(key, run.Zone).first;

@@ -4,7 +4,6 @@
 
 #include "Base/Parallel.h"
 #include "Intake/Fluent/FluentNumbers.h"
-#include "Intake/Fluent/FluentText.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
@@ -25,16 +24,16 @@ int GetDimension(const FluentFile& file, const FluentSection& section)
 }
 
 //------------------------------------------------------------------------------
-bool VisitText(FluentFile& file, const FluentSection& section,
+bool VisitInFile(FluentFile& file, const FluentSection& section,
   FunctionRef<bool(std::int64_t, std::int64_t, const double*)> pass)
 {
   const std::int64_t count = section.GetCount();
   const int dimension = GetDimension(file, section);
-  FluentNumbers<double> numbers(section.Begin, section.End);
+  FluentNumbers<double> numbers(file, section);
   const std::ptrdiff_t batch = numbers.GetBatch();
   const auto failAt = [&](std::int64_t word, const std::string& expected, ErrorKind kind)
   {
-    const char* const place = SkipSpaceFrom(numbers.Find(word), section.End);
+    const char* const place = numbers.Find(word);
     file.FailAt(place, place == section.End ? ErrorKind::Truncated : kind, expected);
     return false;
   };
@@ -55,7 +54,7 @@ bool VisitText(FluentFile& file, const FluentSection& section,
     numbers.Skip(rows * dimension);
     first += rows;
   }
-  return SkipSpaceFrom(numbers.GetBegin(), section.End) == section.End ||
+  return numbers.Find(0) == section.End ||
     failAt(0, "the end of the section after " + std::to_string(count) + " nodes", ErrorKind::Count);
 }
 
@@ -79,31 +78,18 @@ bool VisitSection(
     done += last - first;
     return progress.Report(static_cast<double>(done) / static_cast<double>(count));
   };
-  if (section.IsText())
+  if (!section.IsStored)
   {
-    return VisitText(file, section, pass);
+    return VisitInFile(file, section, pass);
   }
   PieceExchange none(nullptr);
-  const bool isShared = section.IsStored && file.Exchange;
-  PieceExchange& exchange = isShared ? *file.Exchange : none;
+  PieceExchange& exchange = file.Exchange ? *file.Exchange : none;
   return exchange.ForBatches<double>(
     -2 - count, count, FluentFile::GetStoredBatch(count), // places unlike those of faces
-    [&](std::int64_t begin, std::int64_t end, Buffer<double>& values) -> std::int64_t
+    [&](std::int64_t begin, std::int64_t end, Buffer<double>& values)
     {
-      const std::int64_t size = (end - begin) * dimension;
-      if (section.IsStored)
-      {
-        return file.LoadStored(section, begin, end - begin, values) ? size : -1;
-      }
-      values = values.size() < size ? Buffer<double>(size) : std::move(values);
-      ParallelForEach(size, LightGrain,
-        [&](vtkIdType i)
-        {
-          const char* const from = section.Begin + (begin * dimension + i) * section.RealSize;
-          values[i] = section.RealSize == sizeof(float) ? Load<float>(from, file.IsSwapped())
-                                                        : Load<double>(from, file.IsSwapped());
-        });
-      return size;
+      file.LoadStored(section, begin, end - begin, values);
+      return (end - begin) * dimension;
     },
     [&](std::int64_t first, std::int64_t last, const double* values, std::int64_t size)
     { return pass(first, size == (last - first) * dimension ? last : first, values); });

@@ -5,6 +5,7 @@
 #include "Base/Parallel.h"
 #include "Base/Progress.h"
 #include "Intake/Fluent/FluentText.h"
+#include "Intake/Rows/Bytes.h"
 #include "Intake/Rows/TextLines.h"
 
 #include <algorithm>
@@ -51,6 +52,29 @@ vtkIdType FluentNumbers<Number>::CountWords(vtkIdType first, vtkIdType last) con
 template <typename Number>
 void FluentNumbers<Number>::Read(std::ptrdiff_t bytes)
 {
+  if (this->Bytes == 0)
+  {
+    this->ReadText(bytes);
+    return;
+  }
+  this->Count = this->Words = std::min(bytes, this->End - this->Begin) / this->Bytes;
+  this->Last = this->Begin + this->Count * this->Bytes;
+  this->Numbers =
+    this->Numbers.size() < this->Count ? Buffer<Number>(this->Count) : std::move(this->Numbers);
+  ParallelForEach(this->Count, LightGrain,
+    [this](vtkIdType i)
+    {
+      const char* const place = this->Begin + i * this->Bytes;
+      this->Numbers[i] = this->Bytes == sizeof(Number)
+        ? Load<Number>(place, this->Swap)
+        : static_cast<Number>(Load<float>(place, this->Swap));
+    });
+}
+
+//------------------------------------------------------------------------------
+template <typename Number>
+void FluentNumbers<Number>::ReadText(std::ptrdiff_t bytes)
+{
   this->Last = this->End - this->Begin > bytes
     ? std::find_if(this->Begin + bytes, this->End, IsSpace)
     : this->End;
@@ -95,7 +119,7 @@ void FluentNumbers<Number>::Read(std::ptrdiff_t bytes)
 template <typename Number>
 void FluentNumbers<Number>::Skip(std::int64_t count)
 {
-  if (this->Count < this->Words)
+  if (this->Bytes > 0)
   {
     this->Begin = this->Find(count);
     return;
@@ -120,12 +144,16 @@ void FluentNumbers<Number>::Skip(std::int64_t count)
 
 //------------------------------------------------------------------------------
 template <typename Number>
-const char* FluentNumbers<Number>::Find(std::int64_t count) const
+const char* FluentNumbers<Number>::Find(std::int64_t i) const
 {
-  const char* place = this->Begin;
-  for (; count > 0; --count)
+  if (this->Bytes > 0)
   {
-    place = std::find_if(SkipSpaceFrom(place, this->End), this->End, IsSpace);
+    return this->Begin + i * this->Bytes;
+  }
+  const char* place = SkipSpaceFrom(this->Begin, this->End);
+  for (; i > 0; --i)
+  {
+    place = SkipSpaceFrom(std::find_if(place, this->End, IsSpace), this->End);
   }
   return place;
 }

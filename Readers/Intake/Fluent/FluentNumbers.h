@@ -2,17 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::FluentNumbers
- * @brief Reads the numbers in the text of a section in parallel, whatever its lines: ids and sizes
- * (std::int32_t), which are hexadecimal, or coordinates (double).
+ * @brief Reads the numbers of a section that is in the file, in parallel: ids and sizes
+ * (std::int32_t), which are hexadecimal in text, or coordinates (double).
  */
 #ifndef camaron_FluentNumbers_h
 #define camaron_FluentNumbers_h
 
 #include "Base/Buffer.h"
+#include "Intake/Fluent/FluentFile.h"
 
-#include <algorithm> // for sizes of batches
-#include <cstddef>   // for sizes of texts
-#include <cstdint>   // for ids
+#include <algorithm>   // for sizes of batches
+#include <cstddef>     // for sizes of texts
+#include <cstdint>     // for ids
+#include <type_traits> // for sizes
 
 namespace camaron
 {
@@ -22,11 +24,12 @@ class FluentNumbers
 public:
   static constexpr std::ptrdiff_t All = PTRDIFF_MAX;
 
-  /// Of a section, whose end must be readable.
-  FluentNumbers(const char* begin, const char* end)
-    : Begin(begin)
-    , Last(begin)
-    , End(end)
+  FluentNumbers(const FluentFile& file, const FluentSection& section)
+    : Begin(section.Begin)
+    , Last(section.Begin)
+    , End(section.End)
+    , Bytes(std::is_floating_point_v<Number> || section.IsText() ? section.RealSize : 4)
+    , Swap(file.IsSwapped())
   {
   }
 
@@ -36,7 +39,7 @@ public:
     constexpr std::ptrdiff_t Part = 32, Least = 1 << 16, Most = 1 << 21;
     return std::max(Least, std::min(Most, (this->End - this->Begin) / Part));
   }
-  /// Reads the words of the next bytes, which replace those before.
+  /// Reads the numbers in the next bytes, which replace those before.
   void Read(std::ptrdiff_t bytes);
   /// The numbers up to the first word that is none.
   const Number* GetData() const { return this->Numbers.data(); }
@@ -47,15 +50,18 @@ public:
 
   /// Moves behind the first of the numbers; the others are read again.
   void Skip(std::int64_t count);
-  /// The place behind the first words.
-  const char* Find(std::int64_t count) const;
+  /// The place of a number, or the end.
+  const char* Find(std::int64_t i) const;
   const char* GetBegin() const { return this->Begin; }
   const char* GetEnd() const { return this->End; }
 
 private:
   vtkIdType CountWords(vtkIdType first, vtkIdType last) const;
+  void ReadText(std::ptrdiff_t bytes);
 
   const char *Begin, *Last, *End;
+  int Bytes; ///< of a number; 0 in text
+  bool Swap;
   Buffer<Number> Numbers;
   std::int64_t Count = 0, Words = 0;
 };

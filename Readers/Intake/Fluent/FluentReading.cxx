@@ -6,6 +6,7 @@
 #include "Intake/CellMesh/CellGrid.h"
 #include "Intake/Fluent/FluentMesh.h"
 #include "Intake/Fluent/FluentNodes.h"
+#include "Intake/Fluent/FluentNumbers.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
@@ -64,18 +65,18 @@ bool FluentReading::ReadTree()
 {
   for (const FluentSection& section : this->File.FaceTrees)
   {
-    Buffer<std::int32_t> values;
-    const std::int64_t size = this->File.ReadIntegers(section, values);
+    FluentNumbers<std::int32_t> numbers(this->File, section);
+    numbers.Read(numbers.All);
     std::int64_t next = 0;
     const auto read = [&](const char* what)
     {
-      if (next == size)
+      if (next == numbers.GetCount())
       {
-        this->File.FailAt(FluentFile::FindInteger(section, size), ErrorKind::Syntax,
-          std::string(what) + ", a hexadecimal number");
+        this->File.FailAt(
+          numbers.Find(next), ErrorKind::Syntax, std::string(what) + ", a hexadecimal number");
         return std::int32_t(0);
       }
-      return values[next++];
+      return numbers.GetData()[next++];
     };
     for (std::int64_t id = section.Header[0]; id <= section.Header[1]; ++id)
     {
@@ -86,7 +87,7 @@ bool FluentReading::ReadTree()
         const vtkIdType position = this->Mesh.Faces.FindId(part);
         if (position < 0 || whole < 0)
         {
-          this->File.FailAt(FluentFile::FindInteger(section, next - 1), ErrorKind::Index,
+          this->File.FailAt(numbers.Find(next - 1), ErrorKind::Index,
             whole < 0 ? "parts of an existing face" : "an existing face",
             std::to_string(whole < 0 ? id : part));
           return false;
@@ -118,19 +119,19 @@ bool FluentReading::SelectPiece(vtkIdType nodes, const Progress& progress)
       return this->Mesh.Faces.ForEach(progress,
         [&](const FluentFaces::Run& run, vtkIdType position, const FluentFace& face)
         {
-          if (!run.Bounds || face.Nodes.Size == 0)
+          if (!run.Bounds || face.Size == 0)
           {
             return;
           }
           thread_local std::vector<std::int32_t> points;
-          points.clear();
-          for (std::int32_t i = 0; i < face.Nodes.Size; ++i)
+          points.assign(face.Nodes, face.Nodes + face.Size);
+          for (std::int32_t& point : points)
           {
-            points.push_back(face.Nodes[i] - 1);
+            --point;
           }
           const vtkIdType cells[2] = { this->Mesh.Cells.FindLeaf(face.GetCell(0)),
             this->Mesh.Cells.FindLeaf(face.GetCell(1)) };
-          this->Mesh.Piece.VisitFace(position, cells, points.data(), face.Nodes.Size);
+          this->Mesh.Piece.VisitFace(position, cells, points.data(), face.Size);
         });
     });
   if (good && !this->Mesh.Piece.IsWhole())
@@ -145,10 +146,7 @@ bool FluentReading::SelectPiece(vtkIdType nodes, const Progress& progress)
 bool FluentReading::ReadCells(
   vtkIdType nodes, vtkUnstructuredGrid* grid, Warnings& warnings, const Progress& progress)
 {
-  const auto check = [&](const Progress& part) { return this->Mesh.Faces.Check(part); };
-  const bool isWhole = this->Request.NumberOfPieces <= 1 && !this->File.LeavesOutCells();
-  if (!this->ReadTree() || (!isWhole && !check(progress.Part(0, 0.1))) ||
-    !this->SelectPiece(nodes, progress.Part(0.1, 0.3)))
+  if (!this->ReadTree() || !this->SelectPiece(nodes, progress.Part(0, 0.3)))
   {
     return false;
   }
@@ -157,8 +155,7 @@ bool FluentReading::ReadCells(
   {
     return true;
   }
-  if (progress.IsStopped() || this->File.HasFailed() ||
-    (isWhole && !check(progress.Part(0.3, 0.4))))
+  if (progress.IsStopped() || this->File.HasFailed())
   {
     return false;
   }

@@ -63,7 +63,6 @@ private:
   {
     return this->CommonType != 0 ? this->CommonSize * cell : this->Offsets[cell];
   }
-  bool IsGood(const FluentFaces::Run& run, const FluentFace& face, bool hasCell) const;
   bool AddFaces(FluentInteriorZones& zones, const Progress& progress);
   bool Finish(const Progress& progress);
 
@@ -92,9 +91,9 @@ struct FluentStandardCells::Side
   void Set(const FluentFace& face, int side, vtkIdType cell)
   {
     this->Cell = static_cast<Id>(cell);
-    this->Size = face.Nodes.Size;
+    this->Size = face.Size;
     const auto set = [&](Id* nodes, auto... indices) { ((*nodes++ = face.Nodes[indices]), ...); };
-    switch (face.Nodes.Size)
+    switch (face.Size)
     {
       case 2:
         set(this->Nodes, side, 1 - side);
@@ -139,11 +138,9 @@ public:
       FluentFaces::ForEachOf(run, begin, last,
         [&](vtkIdType, const FluentFace& face)
         {
-          vtkIdType found = -1;
           for (int side = 0; side < 2; ++side)
           {
-            const vtkIdType cell = face.Nodes.Size == 0 ? -1 : mesh.FindCell(face.GetCell(side));
-            found = std::max(found, cell);
+            const vtkIdType cell = face.Size == 0 ? -1 : mesh.FindCell(face.GetCell(side));
             if (cell >= 0 && this->Cells.GetShare(cell) == this->Number)
             {
               this->Prefetch(cell);
@@ -151,7 +148,8 @@ public:
               good = (this->NumberOfNext < Ahead || this->AddNext()) && good;
             }
           }
-          good = (!isOwn || this->Cells.IsGood(run, face, found >= 0)) && good;
+          // BuildFluentCells warns about these.
+          good = !(isOwn && run.HasOddCells(face.GetCell(0), face.GetCell(1))) && good;
         });
     }
     return this->AddNext() && good;
@@ -314,25 +312,6 @@ bool FluentStandardCells::PlaceMixed()
   }
   this->Offsets[this->Count] = static_cast<Id>(nodes);
   return true;
-}
-
-//------------------------------------------------------------------------------
-// False if ids are invalid, or if BuildFluentCells warns about a face. The nodes of faces of cells
-// are checked when these are finished.
-bool FluentStandardCells::IsGood(
-  const FluentFaces::Run& run, const FluentFace& face, bool hasCell) const
-{
-  const auto maxNode = static_cast<std::uint32_t>(this->Mesh.Piece.GetNumberOfMeshPoints());
-  bool good = !run.HasOddCells(face.GetCell(0), face.GetCell(1));
-  for (int side = 0; side < 2; ++side)
-  {
-    good &= face.GetCell(side) >= 0 && face.GetCell(side) <= this->Mesh.Cells.GetCount();
-  }
-  for (std::int32_t i = 0; i < face.Nodes.Size && !hasCell; ++i)
-  {
-    good &= static_cast<std::uint32_t>(face.Nodes[i]) - 1 < maxNode;
-  }
-  return good;
 }
 
 //------------------------------------------------------------------------------

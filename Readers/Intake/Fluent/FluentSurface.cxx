@@ -28,7 +28,7 @@ bool ReadFaces(FluentFile& file, const FluentFaces& faces, CellMesh& mesh, const
   std::vector<std::int32_t> points;
   const auto add = [&](vtkIdType position, const FluentFace& face)
   {
-    const std::int32_t size = face.Nodes.Size;
+    const std::int32_t size = face.Size;
     mesh.Types[position] = size == 0 ? VTK_EMPTY_CELL
       : file.GetDimension() == 2     ? VTK_LINE
                                      : GetPolygonType(size);
@@ -119,8 +119,7 @@ bool ReadFluentSurface(FluentFile& file, FluentFaces& faces, const PieceRequest&
   {
     piece.LeaveOutUnusedPoints();
   }
-  if (!faces.Check(progress.Part(0, 0.2)) ||
-    !ReadFaces(file, faces, mesh, progress.Part(0.2, 0.6)) ||
+  if (!ReadFaces(file, faces, mesh, progress.Part(0, 0.6)) ||
     !Select(file, faces, mesh, request, piece, progress.Part(0.6, 0.7)))
   {
     return false;
