@@ -4,7 +4,6 @@
 
 #include "Base/Number.h"
 #include "Intake/Fluent/FluentFaces.h"
-#include "Intake/Fluent/FluentText.h"
 
 #include <algorithm>
 #include <set>

@@ -3,7 +3,6 @@
 #include "Intake/Fluent/FluentCells.h"
 
 #include "Intake/Fluent/FluentNumbers.h"
-#include "Intake/Fluent/FluentText.h"
 
 #include <algorithm>
 

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Intake/Fluent/FluentFaces.h"
 
-#include "Intake/Fluent/FluentText.h"
-
 #include "Base/Parallel.h"
 
 #include <algorithm>

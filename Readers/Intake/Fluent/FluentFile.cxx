@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Intake/Fluent/FluentFile.h"
 
-#include "Intake/Fluent/FluentText.h"
 #include "Scan/ScanError.h"
 
 #include <algorithm>

@@ -10,11 +10,13 @@
 #define camaron_FluentFile_h
 
 #include "Base/Buffer.h"
+#include "Base/Number.h"
 #include "Base/Progress.h"
 #include "Intake/Pieces/PieceExchange.h"
 #include "Scan/ScanError.h"
 
 #include <algorithm>        // for sizes of batches
+#include <charconv>         // for hexadecimal numbers
 #include <cstdint>          // for integers of known size
 #include <initializer_list> // for headers
 #include <set>              // for zones
@@ -23,6 +25,29 @@
 
 namespace camaron
 {
+/// The first character that is not white space, or the end.
+inline const char* SkipSpaceFrom(const char* text, const char* end)
+{
+  while (text < end && IsSpace(*text))
+  {
+    ++text;
+  }
+  return text;
+}
+
+/**
+ * Reads a number after white space; returns its end, or nullptr if there is none, if it is directly
+ * followed by another character, or if it is too large.
+ */
+template <typename Integer>
+const char* ParseHex(const char* text, const char* end, Integer& value)
+{
+  constexpr int Base = 16;
+  text = SkipSpaceFrom(text, end);
+  const auto [next, error] = std::from_chars(text, end, value, Base);
+  return error == std::errc() && *text != '-' && (next == end || IsSpace(*next)) ? next : nullptr;
+}
+
 /// A section with data of the mesh.
 struct FluentSection
 {

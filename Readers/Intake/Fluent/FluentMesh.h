@@ -12,10 +12,15 @@
 #include "Intake/Fluent/FluentCells.h"
 #include "Intake/Fluent/FluentFaces.h"
 #include "Intake/Fluent/FluentInteriorZones.h"
+#include "Intake/Ids/IdSet.h"
+#include "Intake/Pieces/PieceOfSpace.h"
+
+#include "vtkSmartPointer.h" // for coordinates
 
 #include <map>    // for split faces
 #include <vector> // for members
 
+class vtkDataArray;
 class vtkFieldData;
 class vtkMultiBlockDataSet;
 class vtkPoints;
@@ -100,6 +105,23 @@ bool MakeFluentBoundaries(const FluentFile& file, const FluentMesh& mesh, vtkPoi
  */
 bool ReadFluentSurface(FluentFile& file, FluentFaces& faces, const PieceRequest& request,
   vtkUnstructuredGrid* grid, Warnings& warnings, const Progress& progress);
+
+/// Number of nodes, after checking that the sections define all of them; -1 with the error in the
+/// file.
+vtkIdType CountFluentNodes(FluentFile& file);
+
+/// Passes all nodes, from any thread; false with the error in the file, or if aborted.
+bool ForEachFluentNode(
+  FluentFile& file, const PieceOfSpace::Visit& visit, const Progress& progress);
+
+/**
+ * Coordinates: float if all sections are binary in single precision, else double. nullptr with the
+ * error in the file, or if aborted.
+ * @param nodes their number
+ * @param some the nodes to read, numbered; nullptr for all
+ */
+vtkSmartPointer<vtkDataArray> ReadFluentNodes(
+  FluentFile& file, vtkIdType nodes, const IdSet* some, const Progress& progress);
 }
 
 #endif

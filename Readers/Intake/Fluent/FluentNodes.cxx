@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Intake/Fluent/FluentNodes.h"
+#include "Intake/Fluent/FluentMesh.h"
 
 #include "Base/Parallel.h"
 #include "Intake/Fluent/FluentNumbers.h"

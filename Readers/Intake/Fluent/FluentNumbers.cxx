@@ -4,7 +4,6 @@
 
 #include "Base/Parallel.h"
 #include "Base/Progress.h"
-#include "Intake/Fluent/FluentText.h"
 #include "Intake/Rows/Bytes.h"
 #include "Intake/Rows/TextLines.h"
 

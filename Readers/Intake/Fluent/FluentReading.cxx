@@ -5,7 +5,6 @@
 #include "Base/Parallel.h"
 #include "Intake/CellMesh/CellGrid.h"
 #include "Intake/Fluent/FluentMesh.h"
-#include "Intake/Fluent/FluentNodes.h"
 #include "Intake/Fluent/FluentNumbers.h"
 
 #include "vtkCellData.h"

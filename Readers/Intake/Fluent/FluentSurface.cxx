@@ -4,7 +4,6 @@
 
 #include "Intake/CellMesh/CellGrid.h"
 #include "Intake/CellMesh/CellMeshPiece.h"
-#include "Intake/Fluent/FluentNodes.h"
 #include "Mesh/CellShape.h"
 
 #include "vtkCellData.h"
