@@ -110,7 +110,7 @@ void Collect(const FluentMesh& mesh, const FluentFaces::Run& run, ZoneFaces& zon
         return;
       }
       // The normal points into the first cell; edges have it on the left, which is already outward.
-      const bool isReversed = (side == 1) == (mesh.Dimension == 3);
+      const bool isReversed = (side == 1) == (mesh.File.GetDimension() == 3);
       for (std::int32_t i = 0; i < size; ++i)
       {
         const std::int32_t node = face.Nodes[isReversed ? (size - i) % size : i];
@@ -155,7 +155,7 @@ vtkSmartPointer<vtkPolyData> MakeSurface(const FluentMesh& mesh, ZoneFaces& zone
   cells->SetData(zone.Ends, zone.Nodes);
   auto surface = vtkSmartPointer<vtkPolyData>::New();
   surface->SetPoints(own);
-  mesh.Dimension == 2 ? surface->SetLines(cells) : surface->SetPolys(cells);
+  mesh.File.GetDimension() == 2 ? surface->SetLines(cells) : surface->SetPolys(cells);
   if (!pointsOfPiece.empty())
   {
     SetGlobalIds(surface->GetPointData(), std::move(pointIds), "GlobalPointIds");
@@ -187,13 +187,13 @@ void AddFluentZones(const FluentFile& file, vtkFieldData* fieldData)
 }
 
 //------------------------------------------------------------------------------
-bool MakeFluentBoundaries(const FluentFile& file, const FluentMesh& mesh, vtkPoints* points,
-  vtkMultiBlockDataSet* blocks, Warnings& warnings)
+bool MakeFluentBoundaries(
+  const FluentMesh& mesh, vtkPoints* points, vtkMultiBlockDataSet* blocks, Warnings& warnings)
 {
   std::map<int, ZoneFaces> faces;
   for (const FluentFaces::Run& run : mesh.Faces.GetRuns())
   {
-    if (run.IsOfBoundary() && file.ZonesLeftOut.count(run.Zone) == 0)
+    if (run.IsOfBoundary() && mesh.File.ZonesLeftOut.count(run.Zone) == 0)
     {
       // At non-conformal interfaces, faces may have no nodes at all.
       faces[run.Zone].IsShown |= run.BoundaryType < FluentBoundary::Nonconformal;
@@ -219,14 +219,14 @@ bool MakeFluentBoundaries(const FluentFile& file, const FluentMesh& mesh, vtkPoi
     }
   }
   std::map<int, FluentZone> zones;
-  for (const FluentZone& zone : ListZones(file))
+  for (const FluentZone& zone : ListZones(mesh.File))
   {
     zones[zone.Id] = zone;
   }
   const std::vector<std::int32_t> pointsOfPiece =
     mesh.Piece.IsWhole() ? std::vector<std::int32_t>() : mesh.Piece.GetPoints().GetMembers();
   unsigned int number = 0;
-  for (const FluentSection& section : file.Faces) // in their order
+  for (const FluentSection& section : mesh.File.Faces) // in their order
   {
     const int id = static_cast<int>(section.Header[0]);
     auto found = faces.extract(id);

@@ -81,7 +81,6 @@ public:
   bool Open(FluentFile& file, std::int64_t nodes);
   void SetNumberOfCells(std::int64_t cells) { this->Cells = cells; }
 
-  const FluentFile& GetFile() const { return *this->File; }
   vtkIdType GetCount() const { return this->Runs.empty() ? 0 : this->Runs.back().End; }
   const std::vector<Run>& GetRuns() const { return this->Runs; }
   /// Position of the face with an id, or -1.

@@ -42,9 +42,15 @@ void FluentFile::FailAt(const char* place, ErrorKind kind, const std::string& ex
 //------------------------------------------------------------------------------
 void FluentFile::Fail(ErrorKind kind, const std::string& expected, const std::string& found)
 {
-  if (!this->HasFailed())
+  this->Fail({ kind, "expected " + expected + ", found " + found });
+}
+
+//------------------------------------------------------------------------------
+void FluentFile::Fail(const ScanError& error)
+{
+  if (error && !this->HasFailed())
   {
-    this->Error = { kind, this->Name + ": expected " + expected + ", found " + found };
+    this->Error = { error.Kind, this->Name + ": " + error.Message };
   }
 }
 

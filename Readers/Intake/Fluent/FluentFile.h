@@ -169,8 +169,11 @@ public:
     const char* place, ErrorKind kind, const std::string& expected, const std::string& found);
   /// The same, with the word at the position as found.
   void FailAt(const char* place, ErrorKind kind, const std::string& expected);
-  /// An error of the file as a whole.
+  ///@{
+  /// An error of the file as a whole; with another message behind its name.
   void Fail(ErrorKind kind, const std::string& expected, const std::string& found);
+  void Fail(const ScanError& error);
+  ///@}
   const ScanError& GetError() const { return this->Error; }
   /// Where the cell on a side of a face is, " (meshes/1/faces/c1/1[4])"; empty for other files.
   virtual std::string LocateCell(std::int64_t /*face*/, int /*side*/) const { return ""; }

@@ -71,7 +71,7 @@ Cells FindCells(
 class FaceCollection
 {
 public:
-  explicit FaceCollection(const FluentMesh& mesh)
+  explicit FaceCollection(FluentMesh& mesh)
     : Mesh(mesh)
     , Split(mesh.SplitFaces.empty() ? 0 : mesh.Faces.GetCount())
     , Kept(this->Split.GetLimit())
@@ -83,7 +83,7 @@ public:
   }
 
   /// False with the error in the file, or if stopped.
-  bool Read(FluentInteriorZones& zones, const Progress& progress);
+  bool Read(const Progress& progress);
 
   FaceMesh Faces; ///< only FaceWords and Sides
   JoinedFaces Joined;
@@ -98,7 +98,7 @@ private:
   void Add(const FluentFaces::Run& run, vtkIdType position, const FluentFace& face, Part& part);
   bool IsJoined(vtkIdType position, vtkIdType cell) const;
 
-  const FluentMesh& Mesh;
+  FluentMesh& Mesh;
   IdSet Split, Kept; ///< positions, if some faces are split
   std::mutex Mutex;
 };
@@ -171,7 +171,7 @@ bool FaceCollection::IsJoined(vtkIdType position, vtkIdType cell) const
 }
 
 //------------------------------------------------------------------------------
-bool FaceCollection::Read(FluentInteriorZones& zones, const Progress& progress)
+bool FaceCollection::Read(const Progress& progress)
 {
   constexpr vtkIdType BlockSize = FluentFaces::BlockSize, Step = 64 * BlockSize;
   Buffer<std::int32_t>&words = this->Faces.FaceWords, &sides = this->Faces.Sides;
@@ -183,7 +183,7 @@ bool FaceCollection::Read(FluentInteriorZones& zones, const Progress& progress)
       [&](vtkIdType i)
       {
         const vtkIdType first = begin + i * BlockSize, last = std::min(first + BlockSize, end);
-        zones.Add(batch, first, last, this->Mesh.Cells);
+        this->Mesh.InteriorZones.Add(batch, first, last, this->Mesh.Cells);
         FluentFaces::ForEachOf(batch, first, last, [&](vtkIdType position, const FluentFace& face)
           { this->Add(batch, position, face, parts[i]); });
       });
@@ -260,34 +260,35 @@ void Warn(const FluentMesh& mesh, const IdSet& faceless, const JoinedFaces& join
   warnings.Add(empty, "cell", "cells", "without faces");
   warnings.Add(broken, "cell", "cells", "whose edges do not form a closed ring, left empty");
   warnings.Add(other, "cell", "cells",
-    mesh.Dimension == 2 ? "whose edges do not match the declared type, read as polygons"
-                        : "whose faces do not match the declared type, read as polyhedra");
+    mesh.File.GetDimension() == 2
+      ? "whose edges do not match the declared type, read as polygons"
+      : "whose faces do not match the declared type, read as polyhedra");
   warnings.Add(hanging, "cell", "cells",
     "at hanging nodes, not connected to refined neighbors because split faces are joined");
 }
 }
 
 //------------------------------------------------------------------------------
-bool BuildFluentCells(const FluentMesh& mesh, bool isFirstPiece, FluentInteriorZones& zones,
-  vtkUnstructuredGrid* grid, Warnings& warnings, ScanError& error, const Progress& progress)
+bool BuildFluentCells(FluentMesh& mesh, bool isFirstPiece, vtkUnstructuredGrid* grid,
+  Warnings& warnings, const Progress& progress)
 {
   const vtkIdType count = mesh.Piece.GetNumberOfCells();
   FaceCollection collection(mesh);
   FaceMesh& faces = collection.Faces;
-  if (!collection.Read(zones, progress.Part(0, 0.4)))
+  if (!collection.Read(progress.Part(0, 0.4)))
   {
     return false;
   }
   if (isFirstPiece)
   {
-    collection.Odd.Warn(mesh.Faces.GetFile(), warnings);
+    collection.Odd.Warn(mesh.File, warnings);
   }
   if (count == 0)
   {
     return true;
   }
   faces.HasSides = true;
-  faces.Dimension = mesh.Dimension;
+  faces.Dimension = mesh.File.GetDimension();
   faces.Points.Count = mesh.Piece.GetNumberOfPoints();
   faces.Types = Buffer<unsigned char>(count);
   ParallelForEach(
@@ -302,10 +303,10 @@ bool BuildFluentCells(const FluentMesh& mesh, bool isFirstPiece, FluentInteriorZ
   if (!faces.Faces.Open(faces.FaceWords, numberOfFaces, pointsOfFaces, progress.Part(0.4, 0.45)) ||
     !faces.Cells.Open(faces.CellWords, count, facesOfCells, progress.Part(0.45, 0.5)))
   {
-    error = progress.IsStopped()
-      ? ScanError()
-      : ScanError{ ErrorKind::Changed,
-          "expected the same faces in all passes, found different ones" };
+    if (!progress.IsStopped())
+    {
+      mesh.File.Fail(ErrorKind::Changed, "the same faces in all passes", "different ones");
+    }
     return false;
   }
   IdSet faceless(count);
@@ -317,8 +318,10 @@ bool BuildFluentCells(const FluentMesh& mesh, bool isFirstPiece, FluentInteriorZ
         faceless.Add(cell);
       }
     });
+  ScanError error;
   if (!BuildGrid(faces, PieceRequest(), grid, warnings, error, progress.Part(0.5, 1)))
   {
+    mesh.File.Fail(error);
     return false;
   }
   Warn(mesh, faceless, collection.Joined, grid, warnings);

@@ -30,13 +30,14 @@ namespace camaron
 {
 struct FluentMesh
 {
-  FluentFaces Faces;
-  FluentCells Cells;
-  CellMeshPiece Piece; ///< its cells are the leaves
-  int Dimension = 3;
-  std::vector<std::int32_t> Leaves; ///< of the piece, unless it is whole
+  FluentFile& File;
+  FluentFaces Faces = {};
+  FluentCells Cells = {};
+  FluentInteriorZones InteriorZones = {};
+  CellMeshPiece Piece = {};              ///< its cells are the leaves
+  std::vector<std::int32_t> Leaves = {}; ///< of the piece, unless it is whole
   /// Positions of faces that were split where neighbors have been refined, by those of their parts.
-  std::map<vtkIdType, vtkIdType> SplitFaces;
+  std::map<vtkIdType, vtkIdType> SplitFaces = {};
 
   /// Index in the piece of the cell with an id of the file; -1 if it is not in the piece.
   vtkIdType FindCell(std::int64_t id) const
@@ -51,7 +52,7 @@ struct FluentMesh
   }
   FluentShape GetShape(vtkIdType cell) const
   {
-    return GetFluentShape(this->Cells.GetElement(this->GetLeaf(cell)), this->Dimension);
+    return GetFluentShape(this->Cells.GetElement(this->GetLeaf(cell)), this->File.GetDimension());
   }
 };
 
@@ -68,21 +69,20 @@ struct FluentMesh
  * The faces of meshes with polyhedra are passed on to MeshTopology. The grid does not depend on the
  * number of threads.
  *
+ * @param mesh whose interior zones get the faces if these are several
  * @param isFirstPiece whether this one warns about faces of the whole mesh
- * @param zones gets the faces if these are several
- * @return false with the error in the file or in @a error, or without one if aborted
+ * @return false with the error in the file, or without one if aborted
  */
-bool BuildFluentCells(const FluentMesh& mesh, bool isFirstPiece, FluentInteriorZones& zones,
-  vtkUnstructuredGrid* grid, Warnings& warnings, ScanError& error, const Progress& progress);
+bool BuildFluentCells(FluentMesh& mesh, bool isFirstPiece, vtkUnstructuredGrid* grid,
+  Warnings& warnings, const Progress& progress);
 
 /**
- * Creates the same cells without storing faces, if all are of declared types other than polyhedra,
- * and adds the faces to @a zones if these are several.
+ * Creates the same cells without storing faces, if all are of declared types other than polyhedra.
  * @return false, with @a grid unchanged, for other cells, if faces do not match the declared type
  * of their cell or are oriented inconsistently, if the file is invalid, or if aborted
  */
-bool StreamFluentStandardCells(const FluentMesh& mesh, FluentInteriorZones& zones,
-  vtkUnstructuredGrid* grid, const Progress& progress);
+bool StreamFluentStandardCells(
+  FluentMesh& mesh, vtkUnstructuredGrid* grid, const Progress& progress);
 
 /// Adds the zones of the file as "ZoneIds", "ZoneNames", "ZoneTypes" and "ZoneBoundaryTypes"
 /// (Fluent's numbers of boundary types).
@@ -96,8 +96,8 @@ void AddFluentZones(const FluentFile& file, vtkFieldData* fieldData);
  * @param warnings also receives the numbers of faces that belong to no cell, by zone
  * @return false with the error in the file, or if aborted
  */
-bool MakeFluentBoundaries(const FluentFile& file, const FluentMesh& mesh, vtkPoints* points,
-  vtkMultiBlockDataSet* blocks, Warnings& warnings);
+bool MakeFluentBoundaries(
+  const FluentMesh& mesh, vtkPoints* points, vtkMultiBlockDataSet* blocks, Warnings& warnings);
 
 /**
  * Reads faces that belong to no cell as cells, in the order of the file: polygons, in 2D lines,

@@ -24,54 +24,20 @@ namespace camaron
 namespace
 {
 //------------------------------------------------------------------------------
-// Reads a mesh, once.
-class FluentReading
-{
-public:
-  FluentReading(FluentFile& file, const PieceRequest& request)
-    : File(file)
-    , Request(request)
-  {
-    this->Mesh.Dimension = file.GetDimension();
-  }
-
-  bool Read(vtkUnstructuredGrid* grid, vtkMultiBlockDataSet* boundaries, Warnings& warnings,
-    const Progress& progress);
-
-  const ScanError& GetError() const
-  {
-    return this->File.HasFailed() ? this->File.GetError() : this->Error;
-  }
-
-private:
-  bool ReadTree();
-  bool SelectPiece(vtkIdType nodes, const Progress& progress);
-  bool ReadCells(
-    vtkIdType nodes, vtkUnstructuredGrid* grid, Warnings& warnings, const Progress& progress);
-  bool CheckDeclaredFaces();
-  void AddArrays(vtkUnstructuredGrid* grid) const;
-
-  FluentFile& File;
-  const PieceRequest& Request;
-  FluentMesh Mesh;
-  FluentInteriorZones Interior;
-  ScanError Error;
-};
-
-//------------------------------------------------------------------------------
 // Split faces: "(59 (first last parents children) (n child1 ... childn ...))".
-bool FluentReading::ReadTree()
+bool ReadTree(FluentMesh& mesh)
 {
-  for (const FluentSection& section : this->File.FaceTrees)
+  FluentFile& file = mesh.File;
+  for (const FluentSection& section : file.FaceTrees)
   {
-    FluentNumbers<std::int32_t> numbers(this->File, section);
+    FluentNumbers<std::int32_t> numbers(file, section);
     numbers.Read(numbers.All);
     std::int64_t next = 0;
     const auto read = [&](const char* what)
     {
       if (next == numbers.GetCount())
       {
-        this->File.FailAt(
+        file.FailAt(
           numbers.Find(next), ErrorKind::Syntax, std::string(what) + ", a hexadecimal number");
         return std::int32_t(0);
       }
@@ -79,21 +45,21 @@ bool FluentReading::ReadTree()
     };
     for (std::int64_t id = section.Header[0]; id <= section.Header[1]; ++id)
     {
-      const vtkIdType whole = this->Mesh.Faces.FindId(id);
+      const vtkIdType whole = mesh.Faces.FindId(id);
       for (std::int32_t count = read("the number of parts of a face"); count > 0; --count)
       {
         const std::int32_t part = read("a part of a face");
-        const vtkIdType position = this->Mesh.Faces.FindId(part);
+        const vtkIdType position = mesh.Faces.FindId(part);
         if (position < 0 || whole < 0)
         {
-          this->File.FailAt(numbers.Find(next - 1), ErrorKind::Index,
+          file.FailAt(numbers.Find(next - 1), ErrorKind::Index,
             whole < 0 ? "parts of an existing face" : "an existing face",
             std::to_string(whole < 0 ? id : part));
           return false;
         }
-        this->Mesh.SplitFaces.emplace(position, whole);
+        mesh.SplitFaces.emplace(position, whole);
       }
-      if (this->File.HasFailed())
+      if (file.HasFailed())
       {
         return false;
       }
@@ -103,170 +69,82 @@ bool FluentReading::ReadTree()
 }
 
 //------------------------------------------------------------------------------
-bool FluentReading::SelectPiece(vtkIdType nodes, const Progress& progress)
+bool SelectPiece(
+  FluentMesh& mesh, vtkIdType nodes, const PieceRequest& request, const Progress& progress)
 {
-  if (this->File.LeavesOutCells())
+  if (mesh.File.LeavesOutCells())
   {
-    this->Mesh.Piece.LeaveOutUnusedPoints();
+    mesh.Piece.LeaveOutUnusedPoints();
   }
-  this->Mesh.Piece.SetPoints([&](const PieceOfSpace::Visit& visit)
-    { return ForEachFluentNode(this->File, visit, progress.Part(0, 0)); });
-  const bool good = this->Mesh.Piece.FindByFaces(nodes, this->Mesh.Cells.GetNumberOfLeaves(),
-    this->Mesh.Faces.GetCount(), this->Request,
-    [&]
-    {
-      return this->Mesh.Faces.ForEach(progress,
-        [&](const FluentFaces::Run& run, vtkIdType position, const FluentFace& face)
-        {
-          if (!run.Bounds || face.Size == 0)
-          {
-            return;
-          }
-          thread_local std::vector<std::int32_t> points;
-          points.assign(face.Nodes, face.Nodes + face.Size);
-          for (std::int32_t& point : points)
-          {
-            --point;
-          }
-          const vtkIdType cells[2] = { this->Mesh.Cells.FindLeaf(face.GetCell(0)),
-            this->Mesh.Cells.FindLeaf(face.GetCell(1)) };
-          this->Mesh.Piece.VisitFace(position, cells, points.data(), face.Size);
-        });
-    });
-  if (good && !this->Mesh.Piece.IsWhole())
+  mesh.Piece.SetPoints([&](const PieceOfSpace::Visit& visit)
+    { return ForEachFluentNode(mesh.File, visit, progress.Part(0, 0)); });
+  const auto visit = [&](const FluentFaces::Run& run, vtkIdType position, const FluentFace& face)
   {
-    this->Mesh.Leaves = this->Mesh.Piece.GetCells().GetMembers();
+    if (run.Bounds && face.Size > 0)
+    {
+      thread_local std::vector<std::int32_t> points;
+      points.assign(face.Nodes, face.Nodes + face.Size);
+      std::for_each(points.begin(), points.end(), [](std::int32_t& point) { --point; });
+      const vtkIdType cells[2] = { mesh.Cells.FindLeaf(face.GetCell(0)),
+        mesh.Cells.FindLeaf(face.GetCell(1)) };
+      mesh.Piece.VisitFace(position, cells, points.data(), face.Size);
+    }
+  };
+  const bool good = mesh.Piece.FindByFaces(nodes, mesh.Cells.GetNumberOfLeaves(),
+    mesh.Faces.GetCount(), request, [&] { return mesh.Faces.ForEach(progress, visit); });
+  if (good && !mesh.Piece.IsWhole())
+  {
+    mesh.Leaves = mesh.Piece.GetCells().GetMembers();
   }
   return good;
 }
 
 //------------------------------------------------------------------------------
 // Faces need not be kept if all cells are of standard types, as in most meshes, or for a piece.
-bool FluentReading::ReadCells(
-  vtkIdType nodes, vtkUnstructuredGrid* grid, Warnings& warnings, const Progress& progress)
+bool ReadCells(FluentMesh& mesh, vtkIdType nodes, const PieceRequest& request,
+  vtkUnstructuredGrid* grid, Warnings& warnings, const Progress& progress)
 {
-  if (!this->ReadTree() || !this->SelectPiece(nodes, progress.Part(0, 0.3)))
+  if (!ReadTree(mesh) || !SelectPiece(mesh, nodes, request, progress.Part(0, 0.3)))
   {
     return false;
   }
-  if (this->Mesh.SplitFaces.empty() &&
-    StreamFluentStandardCells(this->Mesh, this->Interior, grid, progress.Part(0.3, 1)))
+  if (mesh.SplitFaces.empty() && StreamFluentStandardCells(mesh, grid, progress.Part(0.3, 1)))
   {
     return true;
   }
-  if (progress.IsStopped() || this->File.HasFailed())
-  {
-    return false;
-  }
-  const bool good = BuildFluentCells(this->Mesh, this->Request.Piece == 0, this->Interior, grid,
-    warnings, this->Error, progress.Part(0.4, 1));
-  if (this->Error)
-  {
-    this->Error.Message = this->File.GetName() + ": " + this->Error.Message;
-  }
-  return good;
+  return !progress.IsStopped() && !mesh.File.HasFailed() &&
+    BuildFluentCells(mesh, request.Piece == 0, grid, warnings, progress.Part(0.4, 1));
 }
 
 //------------------------------------------------------------------------------
-bool FluentReading::CheckDeclaredFaces()
+bool CheckDeclaredFaces(const FluentMesh& mesh)
 {
-  const FluentTotal& declared = this->File.DeclaredFaces;
-  if (declared.Count > this->Mesh.Faces.GetCount())
+  const FluentTotal& declared = mesh.File.DeclaredFaces;
+  if (declared.Count > mesh.Faces.GetCount())
   {
-    this->File.FailAt(declared.Place, ErrorKind::Truncated,
+    mesh.File.FailAt(declared.Place, ErrorKind::Truncated,
       std::to_string(declared.Count) + " faces, as declared",
-      std::to_string(this->Mesh.Faces.GetCount()));
+      std::to_string(mesh.Faces.GetCount()));
     return false;
   }
   return true;
 }
 
 //------------------------------------------------------------------------------
-bool FluentReading::Read(vtkUnstructuredGrid* grid, vtkMultiBlockDataSet* boundaries,
-  Warnings& warnings, const Progress& progress)
+void AddArrays(const FluentMesh& mesh, vtkUnstructuredGrid* grid)
 {
-  const vtkIdType nodes = CountFluentNodes(this->File);
-  if (nodes < 0 || !this->Mesh.Faces.Open(this->File, nodes))
-  {
-    return false;
-  }
-  if (this->Mesh.Faces.GetCount() == 0 || nodes == 0)
-  {
-    this->File.Fail(
-      ErrorKind::Unsupported, "a mesh with nodes and faces", nodes == 0 ? "no nodes" : "no faces");
-    return false;
-  }
-  this->Interior.Find(this->Mesh.Faces);
-  constexpr std::int64_t MaxCellsPerFace = 4; // two, and the same number of refined ones
-  if (!this->Mesh.Cells.Load(this->File, MaxCellsPerFace * this->Mesh.Faces.GetCount()))
-  {
-    return false;
-  }
-  this->Mesh.Faces.SetNumberOfCells(this->Mesh.Cells.GetCount());
-  if (this->Mesh.Cells.GetNumberOfLeaves() == 0 && this->Mesh.Cells.GetCount() > 0)
-  {
-    this->File.Fail(ErrorKind::Unsupported,
-      this->File.LeavesOutCells() ? "at least one chosen zone of cells"
-                                  : "a mesh with active cells",
-      this->File.LeavesOutCells() ? "none" : "no active cell");
-    return false;
-  }
-  if (this->Mesh.Cells.GetNumberOfLeaves() == 0)
-  {
-    const bool good =
-      ReadFluentSurface(this->File, this->Mesh.Faces, this->Request, grid, warnings, progress) &&
-      this->CheckDeclaredFaces();
-    AddFluentZones(this->File, grid->GetFieldData());
-    return good;
-  }
-  if (!this->ReadCells(nodes, grid, warnings, progress.Part(0, 0.8)) || !this->CheckDeclaredFaces())
-  {
-    return false;
-  }
-  const IdSet* const some = this->Mesh.Piece.IsWhole() ? nullptr : &this->Mesh.Piece.GetPoints();
-  const auto coordinates = ReadFluentNodes(this->File, nodes, some, progress.Part(0.8, 1));
-  if (!coordinates)
-  {
-    return false;
-  }
-  vtkNew<vtkPoints> points;
-  points->SetData(coordinates);
-  grid->SetPoints(points);
-  this->AddArrays(grid);
-  AddPieceIds(this->Mesh.Piece, grid);
-  Warnings none;
-  if (boundaries &&
-    !MakeFluentBoundaries(
-      this->File, this->Mesh, points, boundaries, this->Request.Piece == 0 ? warnings : none))
-  {
-    return false;
-  }
-  if (this->Request.Piece == 0 && this->Mesh.Cells.GetNumberOfUndeclared() > 0)
-  {
-    warnings.Add("cells without a section that declares their type and zone, which are unknown: " +
-      std::to_string(this->Mesh.Cells.GetNumberOfUndeclared()));
-  }
-  return true;
-}
-
-//------------------------------------------------------------------------------
-void FluentReading::AddArrays(vtkUnstructuredGrid* grid) const
-{
-  const vtkIdType size = this->Mesh.Piece.GetNumberOfCells();
+  const vtkIdType size = mesh.Piece.GetNumberOfCells();
   Buffer<int> zones(size);
-  const bool hasGaps = this->Mesh.Cells.HasGaps();
+  const bool hasGaps = mesh.Cells.HasGaps();
   Buffer<vtkIdType> ids(hasGaps ? size : 0);
-  ParallelFor(size, LightGrain,
-    [&](vtkIdType begin, vtkIdType end)
+  ParallelForEach(size, LightGrain,
+    [&](vtkIdType cell)
     {
-      for (vtkIdType cell = begin; cell < end; ++cell)
+      const vtkIdType leaf = mesh.GetLeaf(cell);
+      zones[cell] = mesh.Cells.GetZone(leaf);
+      if (hasGaps)
       {
-        const vtkIdType leaf = this->Mesh.GetLeaf(cell);
-        zones[cell] = this->Mesh.Cells.GetZone(leaf);
-        if (hasGaps)
-        {
-          ids[cell] = this->Mesh.Cells.GetId(leaf);
-        }
+        ids[cell] = mesh.Cells.GetId(leaf);
       }
     });
   grid->GetCellData()->AddArray(zones.TakeArray<vtkIntArray>(1, "Zone"));
@@ -274,8 +152,75 @@ void FluentReading::AddArrays(vtkUnstructuredGrid* grid) const
   {
     grid->GetCellData()->AddArray(ids.TakeArray<vtkIdTypeArray>(1, "OriginalCellId"));
   }
-  AddFluentZones(this->File, grid->GetFieldData());
-  this->Interior.AddTo(grid->GetFieldData());
+  AddFluentZones(mesh.File, grid->GetFieldData());
+  mesh.InteriorZones.AddTo(grid->GetFieldData());
+}
+
+//------------------------------------------------------------------------------
+bool Read(FluentMesh& mesh, const PieceRequest& request, vtkUnstructuredGrid* grid,
+  vtkMultiBlockDataSet* boundaries, Warnings& warnings, const Progress& progress)
+{
+  FluentFile& file = mesh.File;
+  const vtkIdType nodes = CountFluentNodes(file);
+  if (nodes < 0 || !mesh.Faces.Open(file, nodes))
+  {
+    return false;
+  }
+  if (mesh.Faces.GetCount() == 0 || nodes == 0)
+  {
+    file.Fail(
+      ErrorKind::Unsupported, "a mesh with nodes and faces", nodes == 0 ? "no nodes" : "no faces");
+    return false;
+  }
+  mesh.InteriorZones.Find(mesh.Faces);
+  constexpr std::int64_t MaxCellsPerFace = 4; // two, and the same number of refined ones
+  if (!mesh.Cells.Load(file, MaxCellsPerFace * mesh.Faces.GetCount()))
+  {
+    return false;
+  }
+  mesh.Faces.SetNumberOfCells(mesh.Cells.GetCount());
+  if (mesh.Cells.GetNumberOfLeaves() == 0 && mesh.Cells.GetCount() > 0)
+  {
+    file.Fail(ErrorKind::Unsupported,
+      file.LeavesOutCells() ? "at least one chosen zone of cells" : "a mesh with active cells",
+      file.LeavesOutCells() ? "none" : "no active cell");
+    return false;
+  }
+  if (mesh.Cells.GetNumberOfLeaves() == 0)
+  {
+    const bool good = ReadFluentSurface(file, mesh.Faces, request, grid, warnings, progress) &&
+      CheckDeclaredFaces(mesh);
+    AddFluentZones(file, grid->GetFieldData());
+    return good;
+  }
+  if (!ReadCells(mesh, nodes, request, grid, warnings, progress.Part(0, 0.8)) ||
+    !CheckDeclaredFaces(mesh))
+  {
+    return false;
+  }
+  const IdSet* const some = mesh.Piece.IsWhole() ? nullptr : &mesh.Piece.GetPoints();
+  const auto coordinates = ReadFluentNodes(file, nodes, some, progress.Part(0.8, 1));
+  if (!coordinates)
+  {
+    return false;
+  }
+  vtkNew<vtkPoints> points;
+  points->SetData(coordinates);
+  grid->SetPoints(points);
+  AddArrays(mesh, grid);
+  AddPieceIds(mesh.Piece, grid);
+  Warnings unheard;
+  Warnings& heard = request.Piece == 0 ? warnings : unheard; // of the file, not of the piece
+  if (boundaries && !MakeFluentBoundaries(mesh, points, boundaries, heard))
+  {
+    return false;
+  }
+  if (mesh.Cells.GetNumberOfUndeclared() > 0)
+  {
+    heard.Add("cells without a section that declares their type and zone, which are unknown: " +
+      std::to_string(mesh.Cells.GetNumberOfUndeclared()));
+  }
+  return true;
 }
 }
 
@@ -283,9 +228,9 @@ void FluentReading::AddArrays(vtkUnstructuredGrid* grid) const
 bool ReadFluent(FluentFile& file, const PieceRequest& request, vtkUnstructuredGrid* grid,
   vtkMultiBlockDataSet* boundaries, Warnings& warnings, ScanError& error, const Progress& progress)
 {
-  FluentReading reading(file, request);
-  const bool good = reading.Read(grid, boundaries, warnings, progress);
-  error = good ? ScanError() : reading.GetError();
+  FluentMesh mesh{ file };
+  const bool good = Read(mesh, request, grid, boundaries, warnings, progress);
+  error = file.GetError();
   return good;
 }
 }

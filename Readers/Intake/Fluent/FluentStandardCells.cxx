@@ -116,7 +116,7 @@ inline bool Finish(std::int32_t* nodes, std::uint32_t state)
 class FluentStandardCells
 {
 public:
-  explicit FluentStandardCells(const FluentMesh& mesh)
+  explicit FluentStandardCells(FluentMesh& mesh)
     : Mesh(mesh)
     , Count(mesh.Piece.GetNumberOfCells())
   {
@@ -124,7 +124,7 @@ public:
 
   /// Determines the position of every cell; false if some are of other types.
   bool Place();
-  bool Build(FluentInteriorZones& zones, vtkUnstructuredGrid* grid, const Progress& progress);
+  bool Build(vtkUnstructuredGrid* grid, const Progress& progress);
 
 private:
   using Id = vtkTypeInt32;
@@ -149,10 +149,10 @@ private:
   {
     return this->CommonType != 0 ? this->CommonSize * cell : this->Offsets[cell];
   }
-  bool AddFaces(FluentInteriorZones& zones, const Progress& progress);
+  bool AddFaces(const Progress& progress);
   bool Finish(const Progress& progress);
 
-  const FluentMesh& Mesh;
+  FluentMesh& Mesh;
   vtkIdType Count;
   int NumberOfShares = 1;       ///< a power of two
   unsigned char CommonType = 0; ///< of all cells, or 0
@@ -209,9 +209,9 @@ public:
   }
 
   /// Adds faces of a run from @a begin on, which must begin a block; false if one does not fit.
-  bool Add(const FluentFaces::Run& run, vtkIdType begin, vtkIdType end, FluentInteriorZones& zones)
+  bool Add(const FluentFaces::Run& run, vtkIdType begin, vtkIdType end)
   {
-    const FluentMesh& mesh = this->Cells.Mesh;
+    FluentMesh& mesh = this->Cells.Mesh;
     bool good = true;
     for (int block = 0; begin < end; begin += FluentFaces::BlockSize, ++block)
     {
@@ -219,7 +219,7 @@ public:
       const bool isOwn = block % this->Cells.NumberOfShares == this->Number;
       if (isOwn)
       {
-        zones.Add(run, begin, last, mesh.Cells);
+        mesh.InteriorZones.Add(run, begin, last, mesh.Cells);
       }
       FluentFaces::ForEachOf(run, begin, last,
         [&](vtkIdType, const FluentFace& face)
@@ -401,7 +401,7 @@ bool FluentStandardCells::PlaceMixed()
 }
 
 //------------------------------------------------------------------------------
-bool FluentStandardCells::AddFaces(FluentInteriorZones& zones, const Progress& progress)
+bool FluentStandardCells::AddFaces(const Progress& progress)
 {
   while (
     2 * this->NumberOfShares <= std::min(vtkSMPTools::GetEstimatedNumberOfThreads(), MaxShares))
@@ -426,7 +426,7 @@ bool FluentStandardCells::AddFaces(FluentInteriorZones& zones, const Progress& p
         ParallelForEach(this->NumberOfShares, 1,
           [&](vtkIdType share)
           {
-            if (!shares[static_cast<std::size_t>(share)].Add(batch, begin, end, zones))
+            if (!shares[static_cast<std::size_t>(share)].Add(batch, begin, end))
             {
               good = false;
             }
@@ -480,8 +480,7 @@ bool FluentStandardCells::Finish(const Progress& progress)
 }
 
 //------------------------------------------------------------------------------
-bool FluentStandardCells::Build(
-  FluentInteriorZones& zones, vtkUnstructuredGrid* grid, const Progress& progress)
+bool FluentStandardCells::Build(vtkUnstructuredGrid* grid, const Progress& progress)
 {
   // Offsets of cells of one type are filled at the end; until then their memory is used for states.
   Buffer<State> states(this->CommonType != 0 ? 0 : this->Count);
@@ -491,7 +490,7 @@ bool FluentStandardCells::Build(
     { std::fill(this->States + begin, this->States + end, State(0)); });
   this->Offsets[this->Count] = static_cast<Id>(this->GetOffset(this->Count));
   this->Nodes = Buffer<Id>(this->Offsets[this->Count]);
-  if (!this->AddFaces(zones, progress.Part(0, 0.9)) || !this->Finish(progress.Part(0.9, 1)))
+  if (!this->AddFaces(progress.Part(0, 0.9)) || !this->Finish(progress.Part(0.9, 1)))
   {
     return false;
   }
@@ -503,10 +502,10 @@ bool FluentStandardCells::Build(
 }
 
 //------------------------------------------------------------------------------
-bool StreamFluentStandardCells(const FluentMesh& mesh, FluentInteriorZones& zones,
-  vtkUnstructuredGrid* grid, const Progress& progress)
+bool StreamFluentStandardCells(
+  FluentMesh& mesh, vtkUnstructuredGrid* grid, const Progress& progress)
 {
   FluentStandardCells cells(mesh);
-  return cells.Place() && cells.Build(zones, grid, progress);
+  return cells.Place() && cells.Build(grid, progress);
 }
 }
