@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "FluentFields.h"
+#include "FluentHDF5Reading.h"
 
 #include "HDF5Column.h"
 #include "Intake/Pieces/ReadMappedFile.h"

@@ -3,7 +3,6 @@
 #include "FluentHDF5Reading.h"
 
 #include "FluentContainer.h"
-#include "FluentFields.h"
 #include "Intake/Pieces/ReadMappedFile.h"
 
 #include "vtkUnstructuredGrid.h"

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkFluentHDF5Reader.h"
 
-#include "FluentFields.h"
 #include "FluentHDF5Reading.h"
 
 #include "vtkDataArraySelection.h"

@@ -628,7 +628,7 @@ bool ReadFluentMesh(const std::string& path, const PieceRequest& request, vtkUns
       FluentMeshFile file(mapped.GetName(), mapped.begin(), mapped.end());
       const bool isRead = file.Scan(rest.Part(0, ScanShare)) &&
         ReadFluent(file, request, grid, boundaries, warnings, error, rest.Part(ScanShare, 1));
-      error = file.HasFailed() ? file.GetError() : error;
+      error = file.GetError();
       return isRead;
     });
 }

@@ -12,25 +12,24 @@ namespace
 {
 constexpr int MaxElement = 7;
 
+constexpr FluentShape Shapes[] = { {}, { VTK_TRIANGLE, 3, 3, 2 }, { VTK_TETRA, 4, 4, 3 },
+  { VTK_QUAD, 4, 4, 2 }, { VTK_HEXAHEDRON, 8, 6, 3 }, { VTK_PYRAMID, 5, 5, 3 },
+  { VTK_WEDGE, 6, 5, 3 }, { VTK_POLYHEDRON } };
+
 //------------------------------------------------------------------------------
 // The cell type of a number, if it exists in this dimension.
 FluentElement GetElement(std::int64_t number, int dimension)
 {
-  constexpr bool isFlat[] = { false, true, false, true, false, false, false, false };
-  constexpr bool isSolid[] = { false, false, true, false, true, true, true, false };
-  const bool isOther = dimension == 2 ? isSolid[number] : isFlat[number];
-  return isOther ? FluentElement::Unknown : static_cast<FluentElement>(number);
+  const int own = Shapes[number].Dimension;
+  return own == 0 || own == dimension ? static_cast<FluentElement>(number) : FluentElement::Unknown;
 }
 }
 
 //------------------------------------------------------------------------------
 FluentShape GetFluentShape(FluentElement element, int dimension)
 {
-  static constexpr FluentShape Shapes[] = { {}, { VTK_TRIANGLE, 3, 3 }, { VTK_TETRA, 4, 4 },
-    { VTK_QUAD, 4, 4 }, { VTK_HEXAHEDRON, 8, 6 }, { VTK_PYRAMID, 5, 5 }, { VTK_WEDGE, 6, 5 },
-    { VTK_POLYHEDRON, 0, 0 } };
   return element == FluentElement::Polyhedron && dimension == 2
-    ? FluentShape{ VTK_POLYGON, 0, 0 }
+    ? FluentShape{ VTK_POLYGON }
     : Shapes[static_cast<std::size_t>(element)];
 }
 

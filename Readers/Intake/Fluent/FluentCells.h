@@ -39,6 +39,7 @@ struct FluentShape
   unsigned char Type = VTK_EMPTY_CELL;
   int Nodes = 0; ///< 0 if the type does not determine it
   int Faces = 0;
+  int Dimension = 0; ///< 0 for any
 };
 FluentShape GetFluentShape(FluentElement element, int dimension);
 

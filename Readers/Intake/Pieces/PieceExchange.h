@@ -45,8 +45,8 @@ public:
 
   /**
    * Loads all items from 0 to @a count, in any order, if the exchange is open together with the
-   * other processes. Calls load(begin, end, values), which sets values and returns their number, or
-   * -1 if it fails; then visit(begin, end, values, number), until it returns false.
+   * other processes. Calls load(begin, end, values), which sets values and returns their number;
+   * then visit(begin, end, values, number), until it returns false.
    * @param place a number that differs from those of other items
    * @param batch number of items to load at once
    */
@@ -70,10 +70,6 @@ public:
       const int own = this->GetOwnPart();
       const bool hasItems = getPlace(own) < getEnd(own);
       const std::int64_t size = hasItems ? load(getPlace(own), getEnd(own), values) : 0;
-      if (size < 0)
-      {
-        return false;
-      }
       Buffer<Value> all;
       std::vector<vtkIdType> begins;
       if (!this->Exchange(place + done, values.data(), size, all, begins))
@@ -98,7 +94,7 @@ public:
       {
         const std::int64_t end = std::min(begin + batch, last);
         const std::int64_t size = load(begin, end, values);
-        if (size < 0 || !visit(begin, end, values.data(), size))
+        if (!visit(begin, end, values.data(), size))
         {
           return false;
         }
