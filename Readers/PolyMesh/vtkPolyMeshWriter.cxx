@@ -3,11 +3,11 @@
 #include "vtkPolyMeshWriter.h"
 
 #include "Base/Number.h"
-#include "FoamFile.h"
 #include "Intake/CellMesh/ConvertedMesh.h"
 #include "Intake/Fluent/FluentWriting.h"
 #include "Intake/Rows/Bytes.h"
 #include "Intake/Write/RealFormat.h"
+#include "Intake/Write/WriteRows.h"
 #include "PolyMeshFolder.h"
 #include "PolyMeshOutput.h"
 #include "Scan/MappedFile.h"
@@ -17,14 +17,151 @@
 #include "vtkDataSet.h"
 #include "vtkObjectFactory.h"
 
+#include "vtk_zlib.h"
+
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
+#include <cstring>
+#include <filesystem>
 
 namespace camaron
 {
 namespace
 {
 constexpr const char* Selected = "Selected";
+
+/// How the files of a mesh are written.
+struct FoamEncoding
+{
+  bool IsBinary = false;
+  bool Has64BitLabels = false;
+  bool IsCompressed = false; ///< by gzip
+  FoamEncoding AsText() const { return { false, this->Has64BitLabels, this->IsCompressed }; }
+};
+
+//------------------------------------------------------------------------------
+// A file of a mesh: a header and lists, in text or binary.
+class FoamFile
+{
+public:
+  /**
+   * @param folder of the file, which exists
+   * @param kind OpenFOAM's class of the contents, e.g. labelList
+   * @param note of the header; empty for none
+   */
+  FoamFile(const std::filesystem::path& folder, const std::string& name, const std::string& kind,
+    const FoamEncoding& encoding, const std::string& note = "")
+    : Name(name + (encoding.IsCompressed ? ".gz" : ""))
+    , Encoding(encoding)
+  {
+    const std::string path = (folder / this->Name).string();
+    this->File = gzopen(path.c_str(), encoding.IsCompressed ? "wb" : "wbT"); // T: not compressed
+    if (!this->File)
+    {
+      this->Fail();
+      return;
+    }
+    const std::string order = GetByteOrder() == ByteOrder::Little ? "LSB" : "MSB";
+    this->Write("FoamFile\n{\n    version     2.0;\n    format      " +
+      std::string(encoding.IsBinary ? "binary" : "ascii") + ";\n    arch        \"" + order +
+      ";label=" + (encoding.Has64BitLabels ? "64" : "32") + ";scalar=64\";\n    class       " +
+      kind + ";\n" + (note.empty() ? "" : "    note        \"" + note + "\";\n") +
+      "    location    \"constant/polyMesh" + (kind == "cellSet" ? "/sets" : "") +
+      "\";\n    object      " + name + ";\n}\n");
+  }
+  ~FoamFile()
+  {
+    if (this->File)
+    {
+      gzclose(this->File);
+    }
+  }
+  FoamFile(const FoamFile&) = delete;
+  FoamFile& operator=(const FoamFile&) = delete;
+
+  void Write(const std::string& bytes)
+  {
+    if (!this->HasFailed() && !bytes.empty() &&
+      gzwrite(this->File, bytes.data(), static_cast<unsigned>(bytes.size())) <= 0)
+    {
+      this->Fail();
+    }
+  }
+  bool HasFailed() const { return static_cast<bool>(this->Error); }
+  /// Completes the file; false with the error, or without one if @a isWritten is false.
+  bool Finish(bool isWritten, ScanError& error)
+  {
+    if (this->File && gzclose(this->File) != Z_OK && !this->HasFailed())
+    {
+      this->Fail();
+    }
+    this->File = nullptr;
+    error = error ? error : this->Error;
+    return isWritten && !this->HasFailed();
+  }
+
+  /// Appends a label; in text without anything behind it.
+  void AppendLabel(std::string& bytes, vtkIdType label) const
+  {
+    if (!this->Encoding.IsBinary)
+    {
+      AppendNumber(bytes, label);
+    }
+    else if (this->Encoding.Has64BitLabels)
+    {
+      AppendBytes(bytes, static_cast<std::int64_t>(label), false);
+    }
+    else
+    {
+      AppendBytes(bytes, static_cast<std::int32_t>(label), false);
+    }
+  }
+
+  /// Writes a list of @a count items, "n(...)": append(i, bytes) for each of some rows with all of
+  /// them; in text one row per line.
+  template <typename Append>
+  bool WriteList(vtkIdType count, vtkIdType rows, const Progress& progress, Append&& append)
+  {
+    const bool isBinary = this->Encoding.IsBinary;
+    const bool isOpen = count > 0 || !isBinary; // binary lists of no items have no parentheses
+    this->Write("\n" + std::to_string(count) + (isOpen ? isBinary ? "\n(" : "\n(\n" : "\n"));
+    const bool good = WriteRows(*this, rows, progress,
+      [&](vtkIdType i, std::string& bytes)
+      {
+        append(i, bytes);
+        bytes.append(isBinary ? 0 : 1, '\n');
+      });
+    this->Write(isOpen ? ")\n" : "\n");
+    return good;
+  }
+  ///@{
+  /// Writes a list of labels; get(i) for each.
+  template <typename Get>
+  bool WriteLabels(vtkIdType count, const Progress& progress, Get&& get)
+  {
+    return this->WriteList(count, count, progress,
+      [&](vtkIdType i, std::string& bytes) { this->AppendLabel(bytes, get(i)); });
+  }
+  bool WriteLabels(const std::vector<vtkIdType>& labels, const Progress& progress)
+  {
+    return this->WriteLabels(
+      static_cast<vtkIdType>(labels.size()), progress, [&](vtkIdType i) { return labels[i]; });
+  }
+  ///@}
+
+private:
+  void Fail()
+  {
+    this->Error = { errno == ENOSPC || errno == EFBIG ? ErrorKind::DiskFull : ErrorKind::Write,
+      this->Name + ": cannot write the file: " + std::strerror(errno) };
+  }
+
+  std::string Name;
+  FoamEncoding Encoding;
+  gzFile File; ///< also for files that are not compressed
+  ScanError Error;
+};
 
 //------------------------------------------------------------------------------
 // Writes the files of a mesh into a folder.
