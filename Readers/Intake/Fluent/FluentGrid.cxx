@@ -173,16 +173,18 @@ bool FaceCollection::IsJoined(vtkIdType position, vtkIdType cell) const
 //------------------------------------------------------------------------------
 bool FaceCollection::Read(const Progress& progress)
 {
-  constexpr vtkIdType BlockSize = FluentFaces::BlockSize, Step = 64 * BlockSize;
+  constexpr vtkIdType BlockSize = FluentFaces::BlockSize;
   Buffer<std::int32_t>&words = this->Faces.FaceWords, &sides = this->Faces.Sides;
   vtkIdType numberOfWords = 0, numberOfSides = 0;
-  const auto read = [&](const FluentFaces::Run& batch, vtkIdType begin, vtkIdType end)
+  const auto read = [&](const FluentFaces::Run& batch, const Progress& done)
   {
-    std::vector<Part> parts(static_cast<std::size_t>((end - begin + BlockSize - 1) / BlockSize));
-    ParallelForEach(static_cast<vtkIdType>(parts.size()), 4,
+    const vtkIdType blocks = (batch.End - batch.Begin + BlockSize - 1) / BlockSize;
+    std::vector<Part> parts(static_cast<std::size_t>(blocks));
+    ParallelForEach(blocks, 4,
       [&](vtkIdType i)
       {
-        const vtkIdType first = begin + i * BlockSize, last = std::min(first + BlockSize, end);
+        const vtkIdType first = batch.Begin + i * BlockSize;
+        const vtkIdType last = std::min(first + BlockSize, batch.End);
         this->Mesh.InteriorZones.Add(batch, first, last, this->Mesh.Cells);
         FluentFaces::ForEachOf(batch, first, last, [&](vtkIdType position, const FluentFace& face)
           { this->Add(batch, position, face, parts[i]); });
@@ -190,22 +192,12 @@ bool FaceCollection::Read(const Progress& progress)
     const auto all = 1.1 * static_cast<double>(this->Mesh.Faces.GetCount()); // and a reserve
     for (const Part& part : parts)
     {
-      Append(part.Words, static_cast<double>(end) / all, numberOfWords, words);
-      Append(part.Sides, static_cast<double>(end) / all, numberOfSides, sides);
+      Append(part.Words, static_cast<double>(batch.End) / all, numberOfWords, words);
+      Append(part.Sides, static_cast<double>(batch.End) / all, numberOfSides, sides);
     }
+    return done.Report(1);
   };
-  if (!this->Mesh.Faces.ForEachBatch(progress, true,
-        [&](const FluentFaces::Run& batch, const Progress& part)
-        {
-          const auto size = static_cast<double>(batch.End - batch.Begin);
-          vtkIdType begin = batch.Begin;
-          for (; begin < batch.End && part.Report(static_cast<double>(begin - batch.Begin) / size);
-            begin += Step)
-          {
-            read(batch, begin, std::min(begin + Step, batch.End));
-          }
-          return !part.IsStopped();
-        }))
+  if (!this->Mesh.Faces.ForEachBatch(progress, true, read))
   {
     return false;
   }

@@ -140,7 +140,6 @@ private:
     return static_cast<int>(cell >> RangeBits & (this->NumberOfShares - 1));
   }
 
-  bool PlaceMixed();
   unsigned char GetType(vtkIdType cell) const
   {
     return this->CommonType != 0 ? this->CommonType : this->Types[cell];
@@ -208,14 +207,15 @@ public:
   {
   }
 
-  /// Adds faces of a run from @a begin on, which must begin a block; false if one does not fit.
-  bool Add(const FluentFaces::Run& run, vtkIdType begin, vtkIdType end)
+  /// Adds the faces of a batch; false if one does not fit.
+  bool Add(const FluentFaces::Run& run)
   {
     FluentMesh& mesh = this->Cells.Mesh;
     bool good = true;
-    for (int block = 0; begin < end; begin += FluentFaces::BlockSize, ++block)
+    int block = 0;
+    for (vtkIdType begin = run.Begin; begin < run.End; begin += FluentFaces::BlockSize, ++block)
     {
-      const vtkIdType last = std::min(begin + FluentFaces::BlockSize, end);
+      const vtkIdType last = std::min(begin + FluentFaces::BlockSize, run.End);
       const bool isOwn = block % this->Cells.NumberOfShares == this->Number;
       if (isOwn)
       {
@@ -348,29 +348,16 @@ private:
 //------------------------------------------------------------------------------
 bool FluentStandardCells::Place()
 {
+  const bool isWhole = this->Mesh.Piece.IsWhole();
   this->Types = Buffer<unsigned char>(this->Count);
   this->Offsets = Buffer<Id>(this->Count + 1);
-  if (this->Count == 0 || !this->Mesh.Piece.IsWhole() ||
-    !this->Mesh.Cells.HaveOneElement(0, this->Count))
-  {
-    return this->PlaceMixed();
-  }
-  const FluentShape shape = this->Mesh.GetShape(0);
-  this->CommonType = shape.Type;
-  this->CommonSize = shape.Nodes;
-  return shape.Faces > 0 && this->Count * shape.Nodes <= INT32_MAX;
-}
-
-//------------------------------------------------------------------------------
-bool FluentStandardCells::PlaceMixed()
-{
   std::atomic<bool> areStandard{ true };
   const vtkIdType nodes = ParallelScan(
     this->Count, HeavyGrain,
     [&](vtkIdType begin, vtkIdType end)
     {
       vtkIdType sum = 0;
-      const bool isOne = this->Mesh.Piece.IsWhole() && this->Mesh.Cells.HaveOneElement(begin, end);
+      const bool isOne = isWhole && this->Mesh.Cells.HaveOneElement(begin, end);
       FluentShape shape = this->Mesh.GetShape(begin);
       for (vtkIdType cell = begin; cell < end && areStandard; ++cell)
       {
@@ -392,12 +379,13 @@ bool FluentStandardCells::PlaceMixed()
         this->Offsets[cell] += static_cast<Id>(before);
       }
     });
-  if (!areStandard || nodes > INT32_MAX)
-  {
-    return false;
-  }
   this->Offsets[this->Count] = static_cast<Id>(nodes);
-  return true;
+  if (this->Count > 0 && isWhole && this->Mesh.Cells.HaveOneElement(0, this->Count))
+  {
+    this->CommonType = this->Types[0];
+    this->CommonSize = this->Mesh.GetShape(0).Nodes;
+  }
+  return areStandard && nodes <= INT32_MAX;
 }
 
 //------------------------------------------------------------------------------
@@ -413,27 +401,19 @@ bool FluentStandardCells::AddFaces(const Progress& progress)
   {
     shares.emplace_back(*this, i);
   }
-  // Large enough that waiting for other threads costs little.
-  constexpr vtkIdType Step = 64 * FluentFaces::BlockSize;
   return this->Mesh.Faces.ForEachBatch(progress, true,
     [&](const FluentFaces::Run& batch, const Progress& part)
     {
       std::atomic<bool> good{ true };
-      const auto size = static_cast<double>(batch.End - batch.Begin);
-      for (vtkIdType begin = batch.Begin; begin < batch.End && batch.Bounds && good; begin += Step)
-      {
-        const vtkIdType end = std::min(begin + Step, batch.End);
-        ParallelForEach(this->NumberOfShares, 1,
-          [&](vtkIdType share)
+      ParallelForEach(batch.Bounds ? this->NumberOfShares : 0, 1,
+        [&](vtkIdType share)
+        {
+          if (!shares[static_cast<std::size_t>(share)].Add(batch))
           {
-            if (!shares[static_cast<std::size_t>(share)].Add(batch, begin, end))
-            {
-              good = false;
-            }
-          });
-        good = good && part.Report(static_cast<double>(end - batch.Begin) / size);
-      }
-      return good.load();
+            good = false;
+          }
+        });
+      return good && part.Report(1);
     });
 }
 
@@ -469,7 +449,6 @@ bool FluentStandardCells::Finish(const Progress& progress)
              for (vtkIdType cell = first; cell < end && this->CommonType != 0; ++cell)
              {
                this->Offsets[cell] = static_cast<Id>(this->GetOffset(cell));
-               this->Types[cell] = this->CommonType;
              }
              if (!isGood)
              {
@@ -482,13 +461,12 @@ bool FluentStandardCells::Finish(const Progress& progress)
 //------------------------------------------------------------------------------
 bool FluentStandardCells::Build(vtkUnstructuredGrid* grid, const Progress& progress)
 {
-  // Offsets of cells of one type are filled at the end; until then their memory is used for states.
+  // Until the end, the memory of the offsets of cells of one type is used for states.
   Buffer<State> states(this->CommonType != 0 ? 0 : this->Count);
   this->States =
     this->CommonType != 0 ? reinterpret_cast<State*>(this->Offsets.data()) : states.data();
   ParallelFor(this->Count, LightGrain, [this](vtkIdType begin, vtkIdType end)
     { std::fill(this->States + begin, this->States + end, State(0)); });
-  this->Offsets[this->Count] = static_cast<Id>(this->GetOffset(this->Count));
   this->Nodes = Buffer<Id>(this->Offsets[this->Count]);
   if (!this->AddFaces(progress.Part(0, 0.9)) || !this->Finish(progress.Part(0.9, 1)))
   {
