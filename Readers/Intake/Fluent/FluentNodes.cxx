@@ -24,11 +24,39 @@ int GetDimension(const FluentFile& file, const FluentSection& section)
 }
 
 //------------------------------------------------------------------------------
-bool VisitInFile(FluentFile& file, const FluentSection& section,
-  FunctionRef<bool(std::int64_t, std::int64_t, const double*)> pass)
+// Passes the nodes of a section, batch by batch.
+bool VisitSection(
+  FluentFile& file, const FluentSection& section, const Visit& visit, const Progress& progress)
 {
   const std::int64_t count = section.GetCount();
   const int dimension = GetDimension(file, section);
+  std::int64_t done = 0;
+  const auto pass = [&](std::int64_t first, std::int64_t rows, const double* values)
+  {
+    ParallelForEach(rows, MediumGrain,
+      [&](vtkIdType row)
+      {
+        double x[3] = { 0, 0, 0 };
+        std::copy_n(values + dimension * row, dimension, x);
+        visit(section.Header[1] - 1 + first + row, x);
+      });
+    done += rows;
+    return progress.Report(static_cast<double>(done) / static_cast<double>(count));
+  };
+  if (section.IsStored)
+  {
+    PieceExchange none(nullptr);
+    PieceExchange& exchange = file.Exchange ? *file.Exchange : none;
+    return exchange.ForBatches<double>(
+      -2 - count, count, FluentFile::GetStoredBatch(count), // places unlike those of faces
+      [&](std::int64_t begin, std::int64_t end, Buffer<double>& values)
+      {
+        file.LoadStored(section, begin, end - begin, values);
+        return (end - begin) * dimension;
+      },
+      [&](std::int64_t begin, std::int64_t end, const double* values, std::int64_t size)
+      { return pass(begin, size == (end - begin) * dimension ? end - begin : 0, values); });
+  }
   FluentNumbers<double> numbers(file, section);
   const std::ptrdiff_t batch = numbers.GetBatch();
   const auto failAt = [&](std::int64_t word, const std::string& expected, ErrorKind kind)
@@ -37,62 +65,24 @@ bool VisitInFile(FluentFile& file, const FluentSection& section,
     file.FailAt(place, place == section.End ? ErrorKind::Truncated : kind, expected);
     return false;
   };
-  for (std::int64_t first = 0; first < count;)
+  while (done < count)
   {
     numbers.Read(batch);
-    const std::int64_t rows = std::min(count - first, numbers.GetCount() / dimension);
+    const std::int64_t rows = std::min(count - done, numbers.GetCount() / dimension);
     if (rows == 0)
     {
-      const std::int64_t id = section.Header[1] + first;
+      const std::int64_t id = section.Header[1] + done;
       return failAt(
         numbers.GetCount(), "a coordinate of node " + std::to_string(id), ErrorKind::Syntax);
     }
-    if (!pass(first, first + rows, numbers.GetData()))
+    if (!pass(done, rows, numbers.GetData()))
     {
       return false;
     }
     numbers.Skip(rows * dimension);
-    first += rows;
   }
   return numbers.Find(0) == section.End ||
     failAt(0, "the end of the section after " + std::to_string(count) + " nodes", ErrorKind::Count);
-}
-
-//------------------------------------------------------------------------------
-// Passes the nodes of a section, batch by batch.
-bool VisitSection(
-  FluentFile& file, const FluentSection& section, const Visit& visit, const Progress& progress)
-{
-  const std::int64_t count = section.GetCount();
-  const int dimension = GetDimension(file, section);
-  std::int64_t done = 0;
-  const auto pass = [&](std::int64_t first, std::int64_t last, const double* values)
-  {
-    ParallelForEach(last - first, MediumGrain,
-      [&](vtkIdType row)
-      {
-        double x[3] = { 0, 0, 0 };
-        std::copy_n(values + dimension * row, dimension, x);
-        visit(section.Header[1] - 1 + first + row, x);
-      });
-    done += last - first;
-    return progress.Report(static_cast<double>(done) / static_cast<double>(count));
-  };
-  if (!section.IsStored)
-  {
-    return VisitInFile(file, section, pass);
-  }
-  PieceExchange none(nullptr);
-  PieceExchange& exchange = file.Exchange ? *file.Exchange : none;
-  return exchange.ForBatches<double>(
-    -2 - count, count, FluentFile::GetStoredBatch(count), // places unlike those of faces
-    [&](std::int64_t begin, std::int64_t end, Buffer<double>& values)
-    {
-      file.LoadStored(section, begin, end - begin, values);
-      return (end - begin) * dimension;
-    },
-    [&](std::int64_t first, std::int64_t last, const double* values, std::int64_t size)
-    { return pass(first, size == (last - first) * dimension ? last : first, values); });
 }
 }
 
