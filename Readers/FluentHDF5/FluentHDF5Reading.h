@@ -7,7 +7,7 @@
 #ifndef camaron_FluentHDF5Reading_h
 #define camaron_FluentHDF5Reading_h
 
-#include "Intake/Fluent/FluentReading.h"
+#include "Intake/Fluent/FluentFile.h"
 
 #include <string> // for paths
 #include <vector> // for names

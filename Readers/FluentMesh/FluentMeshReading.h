@@ -7,12 +7,9 @@
 #ifndef camaron_FluentMeshReading_h
 #define camaron_FluentMeshReading_h
 
-#include "Intake/Fluent/FluentReading.h"
+#include "Intake/Fluent/FluentFile.h"
 
 #include <string> // for paths
-
-class vtkMultiBlockDataSet;
-class vtkUnstructuredGrid;
 
 namespace camaron
 {

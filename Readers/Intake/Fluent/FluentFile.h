@@ -13,6 +13,7 @@
 #include "Base/Number.h"
 #include "Base/Progress.h"
 #include "Intake/Pieces/PieceExchange.h"
+#include "Intake/Pieces/PieceRequest.h"
 #include "Scan/ScanError.h"
 
 #include <algorithm>        // for sizes of batches
@@ -22,6 +23,9 @@
 #include <set>              // for zones
 #include <string>           // for names
 #include <vector>           // for sections
+
+class vtkMultiBlockDataSet;
+class vtkUnstructuredGrid;
 
 namespace camaron
 {
@@ -108,7 +112,7 @@ struct FluentZone
 class FluentFile
 {
 public:
-  static constexpr std::int64_t BlockSize = 1024; ///< records that are found without others
+  static constexpr std::int64_t BlockSize = 1024; ///< faces per block, whose begin is known
   /// Records that are loaded at once: enough for many threads, but only a small part of all.
   static std::int64_t GetStoredBatch(std::int64_t all)
   {
@@ -190,6 +194,15 @@ protected:
   bool Swap = false;
   ScanError Error;
 };
+
+/**
+ * Reads a piece of a file whose sections have been found.
+ * @param boundaries if given, gets one block per face zone, except interior ones
+ * @return false with the error in @a error, or without one if aborted; the outputs are then
+ * incomplete
+ */
+bool ReadFluent(FluentFile& file, const PieceRequest& request, vtkUnstructuredGrid* grid,
+  vtkMultiBlockDataSet* boundaries, Warnings& warnings, ScanError& error, const Progress& progress);
 }
 
 #endif

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Intake/Fluent/FluentReading.h"
+#include "Intake/Fluent/FluentFile.h"
 
 #include "Base/Parallel.h"
 #include "Intake/CellMesh/CellGrid.h"
