@@ -112,21 +112,6 @@ vtkCheckQuality::vtkCheckQuality()
 vtkCheckQuality::~vtkCheckQuality() = default;
 
 //------------------------------------------------------------------------------
-void vtkCheckQuality::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
-  os << indent << "Rules: " << this->Rules << '\n';
-  os << indent << "RulesFile: " << this->RulesFile << '\n';
-  for (const auto& [name, text] : this->NamedRules)
-  {
-    os << indent << "NamedRules: " << name << ": " << text << '\n';
-  }
-  os << indent << "Preset: " << this->Preset << '\n';
-  os << indent << "Tolerate: " << this->Tolerate << '\n';
-  os << indent << "NumberOfWorst: " << this->NumberOfWorst << '\n';
-}
-
-//------------------------------------------------------------------------------
 void vtkCheckQuality::SetText(std::string& member, const char* text)
 {
   const std::string value = text ? text : "";

@@ -54,7 +54,6 @@ class vtkCheckQuality : public vtkQualityAlgorithm
 public:
   static vtkCheckQuality* New();
   vtkTypeMacro(vtkCheckQuality, vtkQualityAlgorithm);
-  void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
   /// Rules in UTF-8, one per line. Default: empty.

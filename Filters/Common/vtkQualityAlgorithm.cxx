@@ -8,17 +8,6 @@
 #include "vtkInformation.h"
 
 //------------------------------------------------------------------------------
-void vtkQualityAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
-  os << indent << "TrustFaceOrientation: " << this->TrustFaceOrientation << '\n';
-  os << indent << "DegeneracyTolerance: " << this->DegeneracyTolerance << '\n';
-  os << indent << "ConvexityTolerance: " << this->ConvexityTolerance << '\n';
-  os << indent << "PlanarityTolerance: " << this->PlanarityTolerance << '\n';
-  os << indent << "ConnectBlocks: " << this->ConnectBlocks << '\n';
-}
-
-//------------------------------------------------------------------------------
 void vtkQualityAlgorithm::SetEvaluationOptions(const vtkQualityAlgorithm* other)
 {
   this->SetTrustFaceOrientation(other->TrustFaceOrientation);

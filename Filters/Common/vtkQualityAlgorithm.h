@@ -21,7 +21,6 @@ class vtkQualityAlgorithm : public vtkDataObjectAlgorithm
 {
 public:
   vtkTypeMacro(vtkQualityAlgorithm, vtkDataObjectAlgorithm);
-  void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
   /**
@@ -31,7 +30,6 @@ public:
    */
   vtkSetMacro(TrustFaceOrientation, bool);
   vtkGetMacro(TrustFaceOrientation, bool);
-  vtkBooleanMacro(TrustFaceOrientation, bool);
   ///@}
 
   ///@{
@@ -66,7 +64,6 @@ public:
    */
   vtkSetMacro(ConnectBlocks, bool);
   vtkGetMacro(ConnectBlocks, bool);
-  vtkBooleanMacro(ConnectBlocks, bool);
   ///@}
 
   /// Takes all these options from another filter.

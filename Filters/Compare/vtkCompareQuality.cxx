@@ -233,15 +233,6 @@ vtkCompareQuality::vtkCompareQuality()
 }
 
 //------------------------------------------------------------------------------
-void vtkCompareQuality::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
-  os << indent << "NumberOfBins: " << this->NumberOfBins << '\n';
-  os << indent << "HistogramScale: " << this->HistogramScale << '\n';
-  os << indent << "Tolerance: " << this->Tolerance << '\n';
-}
-
-//------------------------------------------------------------------------------
 int vtkCompareQuality::FillOutputPortInformation(int port, vtkInformation* info)
 {
   info->Set(vtkDataObject::DATA_TYPE_NAME(), port < 2 ? "vtkTable" : "vtkDataObject");

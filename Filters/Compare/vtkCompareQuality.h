@@ -50,7 +50,6 @@ class vtkCompareQuality : public vtkQualityTables
 public:
   static vtkCompareQuality* New();
   vtkTypeMacro(vtkCompareQuality, vtkQualityTables);
-  void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
   /// Number of bins per array, 1 to 100000. Default: 50. Integer arrays have one bin per value,

@@ -334,13 +334,6 @@ vtkCorrelateQuality::vtkCorrelateQuality()
 }
 
 //------------------------------------------------------------------------------
-void vtkCorrelateQuality::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
-  os << indent << "Gradient: " << this->Gradient << '\n';
-}
-
-//------------------------------------------------------------------------------
 int vtkCorrelateQuality::FillOutputPortInformation(int port, vtkInformation* info)
 {
   info->Set(vtkDataObject::DATA_TYPE_NAME(), port == 0 ? "vtkTable" : "vtkDataObject");

@@ -29,13 +29,11 @@ class vtkCorrelateQuality : public vtkQualityTables
 public:
   static vtkCorrelateQuality* New();
   vtkTypeMacro(vtkCorrelateQuality, vtkQualityTables);
-  void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
   /// Use the magnitude of the gradient instead of the field. Requires a point field. Default: off.
   vtkSetMacro(Gradient, bool);
   vtkGetMacro(Gradient, bool);
-  vtkBooleanMacro(Gradient, bool);
   ///@}
 
 protected:

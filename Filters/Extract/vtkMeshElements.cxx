@@ -136,24 +136,6 @@ vtkMeshElements::vtkMeshElements()
 }
 
 //------------------------------------------------------------------------------
-void vtkMeshElements::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
-  const std::pair<const char*, vtkDataArraySelection*> selections[] = { { "FaceArrays",
-                                                                          this->FaceArrays },
-    { "EdgeArrays", this->EdgeArrays }, { "VertexArrays", this->VertexArrays } };
-  for (const auto& selection : selections)
-  {
-    os << indent << selection.first << ":\n";
-    selection.second->PrintSelf(os, indent.GetNextIndent());
-  }
-  os << indent << "WorstOfCells: " << this->WorstOfCells << '\n';
-  os << indent << "MergeTolerance: " << this->MergeTolerance << '\n';
-  os << indent << "AngleUnits: " << (this->AngleUnits == DEGREES ? "degrees" : "radians") << '\n';
-  os << indent << "WriteUndefinedMask: " << this->WriteUndefinedMask << '\n';
-}
-
-//------------------------------------------------------------------------------
 vtkMTimeType vtkMeshElements::GetMTime()
 {
   return std::max({ this->Superclass::GetMTime(), this->FaceArrays->GetMTime(),

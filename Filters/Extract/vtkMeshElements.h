@@ -38,7 +38,6 @@ class vtkMeshElements : public vtkQualityAlgorithm
 public:
   static vtkMeshElements* New();
   vtkTypeMacro(vtkMeshElements, vtkQualityAlgorithm);
-  void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
   /// Arrays of the faces, by name, with their ticks.
@@ -70,20 +69,13 @@ public:
   }
   ///@}
 
-  ///@{
   /// Add to the vertices an array "VertexWorst<Criterion>" for each criterion of which the cells of
   /// the input have an array: the worst value of the cells at the vertex. Default: off.
   vtkSetMacro(WorstOfCells, bool);
-  vtkGetMacro(WorstOfCells, bool);
-  vtkBooleanMacro(WorstOfCells, bool);
-  ///@}
 
-  ///@{
   /// Distance up to which points coincide, for DuplicatePoint and FaceMismatch, in the unit of
   /// coordinates. 0 (default): 8 times the machine epsilon of the coordinates.
   vtkSetClampMacro(MergeTolerance, double, 0.0, VTK_DOUBLE_MAX);
-  vtkGetMacro(MergeTolerance, double);
-  ///@}
 
   /// Values of AngleUnits.
   enum AngleUnitsType
@@ -91,19 +83,12 @@ public:
     DEGREES = 0,
     RADIANS = 1
   };
-  ///@{
   /// Unit of plane angles. Default: DEGREES.
   vtkSetClampMacro(AngleUnits, int, DEGREES, RADIANS);
-  vtkGetMacro(AngleUnits, int);
-  ///@}
 
-  ///@{
   /// Add a mask array for each array of real numbers, with the reason why a value is undefined; see
   /// vtkElementQuality. Default: off.
   vtkSetMacro(WriteUndefinedMask, bool);
-  vtkGetMacro(WriteUndefinedMask, bool);
-  vtkBooleanMacro(WriteUndefinedMask, bool);
-  ///@}
 
   vtkMTimeType GetMTime() override;
 

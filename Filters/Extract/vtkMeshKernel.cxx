@@ -64,14 +64,6 @@ void AddCopies(vtkIdType value, vtkIdType count, vtkIdTypeArray* array)
 }
 
 //------------------------------------------------------------------------------
-void vtkMeshKernel::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
-  os << indent << "KernelOf: " << this->KernelOf << '\n';
-  os << indent << "ChosenBy: " << this->ChosenBy << '\n';
-}
-
-//------------------------------------------------------------------------------
 int vtkMeshKernel::FillOutputPortInformation(int, vtkInformation* info)
 {
   info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkUnstructuredGrid");

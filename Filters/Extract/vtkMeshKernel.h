@@ -46,7 +46,6 @@ class vtkMeshKernel : public vtkQualityAlgorithm
 public:
   static vtkMeshKernel* New();
   vtkTypeMacro(vtkMeshKernel, vtkQualityAlgorithm);
-  void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /// Values of KernelOf.
   enum KernelOfType
@@ -55,18 +54,12 @@ public:
     EACH_CELL = 1,
     WHOLE_SURFACE = 2
   };
-  ///@{
   /// Shapes whose kernels are computed. Default: AUTOMATIC.
   vtkSetClampMacro(KernelOf, int, AUTOMATIC, WHOLE_SURFACE);
-  vtkGetMacro(KernelOf, int);
-  ///@}
 
-  ///@{
   /// One-component cell array: only cells with a value other than 0 get a kernel. Empty or "All
   /// cells" (default): all cells. Ignored for the whole surface.
   vtkSetStdStringFromCharMacro(ChosenBy);
-  vtkGetCharFromStdStringMacro(ChosenBy);
-  ///@}
 
 protected:
   vtkMeshKernel() = default;

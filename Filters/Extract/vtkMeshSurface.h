@@ -28,29 +28,17 @@ public:
   static vtkMeshSurface* New();
   vtkTypeMacro(vtkMeshSurface, vtkDataObjectAlgorithm);
 
-  ///@{
   /// Split polygons into triangles, including those that touch themselves, which VTK cannot draw.
   /// Default: off.
   vtkSetMacro(Triangulate, bool);
-  vtkGetMacro(Triangulate, bool);
-  vtkBooleanMacro(Triangulate, bool);
-  ///@}
 
-  ///@{
   /// Add the arrays vtkOriginalCellIds and vtkOriginalPointIds, the places of the cell and the
   /// point in the mesh. Default: on.
   vtkSetMacro(PassThroughIds, bool);
-  vtkGetMacro(PassThroughIds, bool);
-  vtkBooleanMacro(PassThroughIds, bool);
-  ///@}
 
-  ///@{
   /// Add the array CellShapes: for each face the shape of its cell, by which Mesh Inspection tells
   /// cells apart to which the acceptable range of a criterion does not apply. Default: off.
   vtkSetMacro(PassThroughShapes, bool);
-  vtkGetMacro(PassThroughShapes, bool);
-  vtkBooleanMacro(PassThroughShapes, bool);
-  ///@}
 
 protected:
   vtkMeshSurface() = default;

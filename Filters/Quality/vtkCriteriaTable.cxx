@@ -243,14 +243,6 @@ vtkCriteriaTable::vtkCriteriaTable()
 }
 
 //------------------------------------------------------------------------------
-void vtkCriteriaTable::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
-  os << indent << "RangesFile: " << this->RangesFile << '\n';
-  os << indent << "Ranges: " << this->Ranges << '\n';
-}
-
-//------------------------------------------------------------------------------
 // Else VTK would run the source on the first process only, where it would wait for the others to
 // read the file.
 int vtkCriteriaTable::RequestInformation(

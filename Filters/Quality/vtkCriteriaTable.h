@@ -34,7 +34,6 @@ class vtkCriteriaTable : public vtkTableAlgorithm
 public:
   static vtkCriteriaTable* New();
   vtkTypeMacro(vtkCriteriaTable, vtkTableAlgorithm);
-  void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
   /// File of acceptable ranges (Core/Criteria/RangesFile.h) for output 2. Default: empty, no file.

@@ -69,17 +69,6 @@ vtkElementQuality::vtkElementQuality()
 vtkElementQuality::~vtkElementQuality() = default;
 
 //------------------------------------------------------------------------------
-void vtkElementQuality::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
-  os << indent << "Criteria:\n";
-  this->Criteria->PrintSelf(os, indent.GetNextIndent());
-  os << indent << "Preset: " << this->Preset << '\n';
-  os << indent << "AngleUnits: " << (this->AngleUnits == DEGREES ? "degrees" : "radians") << '\n';
-  os << indent << "WriteUndefinedMask: " << this->WriteUndefinedMask << '\n';
-}
-
-//------------------------------------------------------------------------------
 void vtkElementQuality::SetPreset(const char* name)
 {
   const std::string preset = name && name[0] ? name : TickedCriteria();

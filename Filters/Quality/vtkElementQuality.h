@@ -64,7 +64,6 @@ class vtkElementQuality : public vtkQualityAlgorithm
 public:
   static vtkElementQuality* New();
   vtkTypeMacro(vtkElementQuality, vtkQualityAlgorithm);
-  void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /// Values of AngleUnits.
   enum AngleUnitsType
@@ -95,18 +94,11 @@ public:
   vtkStringArray* GetPresetNames() { return this->PresetNames; }
   ///@}
 
-  ///@{
   /// Unit of plane angles, DEGREES (default) or RADIANS. Solid angles are always in steradians.
   vtkSetClampMacro(AngleUnits, int, DEGREES, RADIANS);
-  vtkGetMacro(AngleUnits, int);
-  ///@}
 
-  ///@{
   /// Add a mask array per criterion with the reason why a value is undefined. Default: off.
   vtkSetMacro(WriteUndefinedMask, bool);
-  vtkGetMacro(WriteUndefinedMask, bool);
-  vtkBooleanMacro(WriteUndefinedMask, bool);
-  ///@}
 
   /// Estimated time in seconds to evaluate the chosen criteria for the present input on this
   /// process. 0 before the input has executed.

@@ -70,21 +70,6 @@ vtkQualityRegions::vtkQualityRegions()
 }
 
 //------------------------------------------------------------------------------
-void vtkQualityRegions::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
-  os << indent << "Array: " << this->Array << '\n';
-  os << indent << "Range: " << this->Range << '\n';
-  os << indent << "Preset: " << this->Preset << '\n';
-  os << indent << "RangesFile: " << this->RangesFile << '\n';
-  os << indent << "LowerLimit: " << this->LowerLimit << '\n';
-  os << indent << "UpperLimit: " << this->UpperLimit << '\n';
-  os << indent << "IncludeUndefined: " << this->IncludeUndefined << '\n';
-  os << indent << "Adjacency: " << this->Adjacency << '\n';
-  os << indent << "NumberOfRegions: " << this->NumberOfRegions << '\n';
-}
-
-//------------------------------------------------------------------------------
 int vtkQualityRegions::FillInputPortInformation(int, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");

@@ -35,7 +35,6 @@ class vtkQualityRegions : public vtkTableAlgorithm
 public:
   static vtkQualityRegions* New();
   vtkTypeMacro(vtkQualityRegions, vtkTableAlgorithm);
-  void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
   /// One-component cell array. Default: empty, the active scalars, else the first array.
@@ -79,7 +78,6 @@ public:
   /// Default: off.
   vtkSetMacro(IncludeUndefined, bool);
   vtkGetMacro(IncludeUndefined, bool);
-  vtkBooleanMacro(IncludeUndefined, bool);
   ///@}
 
   ///@{

@@ -94,53 +94,6 @@ vtkSelectElements::vtkSelectElements()
 }
 
 //------------------------------------------------------------------------------
-void vtkSelectElements::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
-  os << indent << "ElementType: " << this->ElementType << '\n';
-  os << indent << "Combination: " << this->Combination << '\n';
-  os << indent << "Strategy: " << this->Strategy << '\n';
-  os << indent << "Ids: " << this->Ids << '\n';
-  os << indent << "IdSpace: " << this->IdSpace << '\n';
-  os << indent << "Array: " << this->Array << '\n';
-  os << indent << "PointArray: " << this->PointArray << '\n';
-  os << indent << "Side: " << this->Side << '\n';
-  os << indent << "Range: " << this->Range << '\n';
-  os << indent << "Preset: " << this->Preset << '\n';
-  os << indent << "RangesFile: " << this->RangesFile << '\n';
-  os << indent << "LowerLimit: " << this->LowerLimit << '\n';
-  os << indent << "UpperLimit: " << this->UpperLimit << '\n';
-  os << indent << "NumberOfWorst: " << this->NumberOfWorst << '\n';
-  os << indent << "WorstPercentage: " << this->WorstPercentage << '\n';
-  os << indent << "CellTypes: " << this->CellTypes << '\n';
-  os << indent << "Counted: " << this->Counted << '\n';
-  os << indent << "Counts: " << this->Counts << '\n';
-  os << indent << "NumberOfFailures: " << this->NumberOfFailures << '\n';
-  os << indent << "Rules: " << this->Rules << '\n';
-  os << indent << "ByTopology: " << this->ByTopology << '\n';
-  os << indent << "StatusBits: " << this->StatusBits << '\n';
-  os << indent << "WorstValues: " << this->WorstValues << '\n';
-  os << indent << "Adjacency: " << this->Adjacency << '\n';
-  os << indent << "NumberOfLayers: " << this->NumberOfLayers << '\n';
-  os << indent << "FeatureAngle: " << this->FeatureAngle << '\n';
-  os << indent << "OnlyBoundary: " << this->OnlyBoundary << '\n';
-  os << indent << "OnlyInRange: " << this->OnlyInRange << '\n';
-  os << indent << "ComponentNumber: " << this->ComponentNumber << '\n';
-  os << indent << "Quantifier: " << this->Quantifier << '\n';
-  os << indent << "Placement: " << this->Placement << '\n';
-  os << indent << "InsideOut: " << this->InsideOut << '\n';
-  os << indent << "Shape: " << this->Shape << '\n';
-  os << indent << "ShapeFile: " << this->ShapeFile << '\n';
-  os << indent << "SetFile: " << this->SetFile << '\n';
-  os << indent << "SetName: " << this->SetName << '\n';
-  os << indent << "Numbers of planes: " << this->Planes.size() << '\n';
-  os << indent << "ExcludeUndefined: " << this->ExcludeUndefined << '\n';
-  os << indent << "Quiet: " << this->Quiet << '\n';
-  os << indent << "NumberOfSelectedElements: " << this->NumberOfSelectedElements << '\n';
-  os << indent << "Report: " << this->Report << '\n';
-}
-
-//------------------------------------------------------------------------------
 vtkMTimeType vtkSelectElements::GetMTime()
 {
   const vtkMTimeType own = this->Superclass::GetMTime();

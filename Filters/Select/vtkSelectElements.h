@@ -50,7 +50,6 @@ class vtkSelectElements
 public:
   static vtkSelectElements* New();
   vtkTypeMacro(vtkSelectElements, vtkQualityAlgorithm);
-  void PrintSelf(ostream& os, vtkIndent indent) override;
   vtkMTimeType GetMTime() override;
 
   /// Name of the array that the filter adds.
@@ -115,7 +114,6 @@ public:
   vtkSetStdStringFromCharMacro(Array);
   vtkGetCharFromStdStringMacro(Array);
   vtkSetStdStringFromCharMacro(PointArray);
-  vtkGetCharFromStdStringMacro(PointArray);
   ///@}
 
   ///@{
@@ -148,11 +146,8 @@ public:
   vtkGetCharFromStdStringMacro(RangesFile);
   ///@}
 
-  ///@{
   /// Failed criteria: smallest number of failed criteria, 1 or more. Default: 1.
   vtkSetMacro(NumberOfFailures, int);
-  vtkGetMacro(NumberOfFailures, int);
-  ///@}
 
   ///@{
   /// Failed rules: rules as those of vtkCheckQuality, one per line. Default: empty. Their criteria
@@ -190,14 +185,12 @@ public:
   vtkGetCharFromStdStringMacro(CellTypes);
   vtkSetMacro(ByTopology, bool);
   vtkGetMacro(ByTopology, bool);
-  vtkBooleanMacro(ByTopology, bool);
   ///@}
 
   ///@{
   /// Number of elements: count "Faces" (default), "Edges" or "Vertices" of each cell, and select
   /// cells with the numbers Counts, such as "4, 7-10". Default of Counts: empty.
   vtkSetStdStringFromCharMacro(Counted);
-  vtkGetCharFromStdStringMacro(Counted);
   vtkSetStdStringFromCharMacro(Counts);
   vtkGetCharFromStdStringMacro(Counts);
   ///@}
@@ -214,12 +207,9 @@ public:
   vtkGetCharFromStdStringMacro(IdSpace);
   ///@}
 
-  ///@{
   /// Shape: a vtkSphere, vtkBox, vtkCylinder (infinite) or vtkPlane (its inside is opposite to the
   /// normal), or a class that ParaView derives from them. Default: none.
   vtkSetSmartPointerMacro(Shape, vtkImplicitFunction);
-  vtkGetSmartPointerMacro(Shape, vtkImplicitFunction);
-  ///@}
 
   ///@{
   /// Half-spaces: six numbers per plane, a point and the outward normal. Default: none.
@@ -227,20 +217,15 @@ public:
   void ClearPlanes();
   ///@}
 
-  ///@{
   /// Shape file: path of a file with a sphere, planes or the polygons of a closed surface as text;
   /// see camaron::ShapeText. Default: empty.
   vtkSetStdStringFromCharMacro(ShapeFile);
-  vtkGetCharFromStdStringMacro(ShapeFile);
-  ///@}
 
   ///@{
   /// Set: path of one of OpenFOAM's sets, or of a file of zones with the name of one of them; see
   /// camaron::ReadFoamLabels. Default: empty.
   vtkSetStdStringFromCharMacro(SetFile);
-  vtkGetCharFromStdStringMacro(SetFile);
   vtkSetStdStringFromCharMacro(SetName);
-  vtkGetCharFromStdStringMacro(SetName);
   ///@}
 
   ///@{
@@ -256,18 +241,14 @@ public:
   vtkGetCharFromStdStringMacro(Placement);
   vtkSetMacro(InsideOut, bool);
   vtkGetMacro(InsideOut, bool);
-  vtkBooleanMacro(InsideOut, bool);
   ///@}
 
-  ///@{
   /**
    * Change element type: whether "Any" (default) or "All" elements of the other type must be
    * selected: the faces, edges or points of a cell, or the cells of a face, edge or point, in any
    * piece. Elements without such elements are not selected.
    */
   vtkSetStdStringFromCharMacro(Quantifier);
-  vtkGetCharFromStdStringMacro(Quantifier);
-  ///@}
 
   ///@{
   /**
@@ -293,10 +274,8 @@ public:
   /// that By criterion would select. Default: off.
   vtkSetMacro(OnlyBoundary, bool);
   vtkGetMacro(OnlyBoundary, bool);
-  vtkBooleanMacro(OnlyBoundary, bool);
   vtkSetMacro(OnlyInRange, bool);
   vtkGetMacro(OnlyInRange, bool);
-  vtkBooleanMacro(OnlyInRange, bool);
   ///@}
 
   ///@{
@@ -310,15 +289,10 @@ public:
   /// Invert: exclude elements for which the array is undefined (NaN). Default: off.
   vtkSetMacro(ExcludeUndefined, bool);
   vtkGetMacro(ExcludeUndefined, bool);
-  vtkBooleanMacro(ExcludeUndefined, bool);
   ///@}
 
-  ///@{
   /// Whether only GetReport() reports missing ids, without a warning. Default: off.
   vtkSetMacro(Quiet, bool);
-  vtkGetMacro(Quiet, bool);
-  vtkBooleanMacro(Quiet, bool);
-  ///@}
 
   /// Number of selected elements on all processes after the last update.
   vtkGetMacro(NumberOfSelectedElements, vtkIdType);

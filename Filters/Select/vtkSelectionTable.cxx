@@ -164,14 +164,6 @@ vtkSelectionTable::vtkSelectionTable()
 }
 
 //------------------------------------------------------------------------------
-void vtkSelectionTable::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
-  os << indent << "SortBy: " << this->SortBy << '\n';
-  os << indent << "Descending: " << this->Descending << '\n';
-}
-
-//------------------------------------------------------------------------------
 int vtkSelectionTable::FillInputPortInformation(int, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");

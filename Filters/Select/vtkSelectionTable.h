@@ -23,21 +23,14 @@ class vtkSelectionTable : public vtkTableAlgorithm
 public:
   static vtkSelectionTable* New();
   vtkTypeMacro(vtkSelectionTable, vtkTableAlgorithm);
-  void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  ///@{
   /// Array of one component by which the rows are sorted, undefined values last; its column follows
   /// the location. More than a million rows stay in the order of the elements. Default: empty, none
   /// are sorted.
   vtkSetStdStringFromCharMacro(SortBy);
-  vtkGetCharFromStdStringMacro(SortBy);
-  ///@}
 
-  ///@{
   /// Whether large values come first. Default: false.
   vtkSetMacro(Descending, bool);
-  vtkGetMacro(Descending, bool);
-  ///@}
 
 protected:
   vtkSelectionTable();

@@ -15,12 +15,6 @@
 vtkStandardNewMacro(vtkGatheredTableWriter);
 
 //------------------------------------------------------------------------------
-void vtkGatheredTableWriter::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
-}
-
-//------------------------------------------------------------------------------
 void vtkGatheredTableWriter::WriteData()
 {
   camaron::ControllerReducer reducer;

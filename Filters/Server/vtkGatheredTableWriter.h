@@ -18,7 +18,6 @@ class vtkGatheredTableWriter : public vtkCSVWriter
 public:
   static vtkGatheredTableWriter* New();
   vtkTypeMacro(vtkGatheredTableWriter, vtkCSVWriter);
-  void PrintSelf(ostream& os, vtkIndent indent) override;
 
 protected:
   vtkGatheredTableWriter() = default;

@@ -8,20 +8,7 @@
 vtkStandardNewMacro(vtkGhostRequests);
 
 //------------------------------------------------------------------------------
-void vtkGhostRequests::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
-  os << indent << "Layers: " << this->GetLayers() << '\n';
-}
-
-//------------------------------------------------------------------------------
 void vtkGhostRequests::SetLayers(int layers)
 {
   vtkProcessModule::SetDefaultMinimumGhostLevelsToRequestForUnstructuredPipelines(layers);
-}
-
-//------------------------------------------------------------------------------
-int vtkGhostRequests::GetLayers() const
-{
-  return vtkProcessModule::GetDefaultMinimumGhostLevelsToRequestForUnstructuredPipelines();
 }

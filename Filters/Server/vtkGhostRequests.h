@@ -20,14 +20,10 @@ class CAMARONFILTERS_EXPORT vtkGhostRequests : public vtkObject
 public:
   static vtkGhostRequests* New();
   vtkTypeMacro(vtkGhostRequests, vtkObject);
-  void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  ///@{
   /// Layers for unstructured data, from now on and for all pipelines of the process. ParaView
   /// starts with 1.
   void SetLayers(int layers);
-  int GetLayers() const;
-  ///@}
 
 protected:
   vtkGhostRequests() = default;

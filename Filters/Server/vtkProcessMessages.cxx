@@ -128,11 +128,3 @@ void vtkProcessMessages::Gather()
   this->Errors = this->Collect(this->Store ? this->Store->TakeErrors() : "");
   this->Warnings = this->Collect(this->Store ? this->Store->TakeWarnings() : "");
 }
-
-//------------------------------------------------------------------------------
-void vtkProcessMessages::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
-  os << indent << "Errors: " << this->Errors << "\n";
-  os << indent << "Warnings: " << this->Warnings << "\n";
-}

@@ -30,7 +30,6 @@ class vtkProcessMessages : public vtkObject
 public:
   static vtkProcessMessages* New();
   vtkTypeMacro(vtkProcessMessages, vtkObject);
-  void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /// Collects the messages of this process, and only these, from now on; no longer prints them.
   void Observe();

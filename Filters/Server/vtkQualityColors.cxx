@@ -85,17 +85,6 @@ vtkQualityColors::vtkQualityColors()
 vtkQualityColors::~vtkQualityColors() = default;
 
 //------------------------------------------------------------------------------
-void vtkQualityColors::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
-  os << indent << "Range: " << this->Range[0] << ", " << this->Range[1] << '\n';
-  os << indent << "Acceptable: " << this->Acceptable[0] << ", " << this->Acceptable[1] << '\n';
-  os << indent << "Better: " << this->Better << '\n';
-  os << indent << "HasUndefined: " << this->HasUndefined << '\n';
-  os << indent << "HasNotJudged: " << this->HasNotJudged << '\n';
-}
-
-//------------------------------------------------------------------------------
 vtkDoubleArray* vtkQualityColors::GetPoints()
 {
   vtkDoubleArray* points = this->Points;

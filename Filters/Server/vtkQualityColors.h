@@ -26,34 +26,22 @@ class CAMARONFILTERS_EXPORT vtkQualityColors : public vtkObject
 public:
   static vtkQualityColors* New();
   vtkTypeMacro(vtkQualityColors, vtkObject);
-  void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  ///@{
   /// The values that the map covers. Default: 0 to 1.
   vtkSetVector2Macro(Range, double);
-  vtkGetVector2Macro(Range, double);
-  ///@}
 
-  ///@{
   /// The acceptable range, limits included; infinite, or the largest double, for no limit. Default:
   /// no limits.
   vtkSetVector2Macro(Acceptable, double);
-  vtkGetVector2Macro(Acceptable, double);
-  ///@}
 
-  ///@{
   /// 1 if larger values are better, -1 if smaller ones are, 0 (default) if neither.
   vtkSetMacro(Better, int);
-  vtkGetMacro(Better, int);
-  ///@}
 
   ///@{
   /// Whether values are undefined, and whether there are cells that the range does not judge.
   /// Default: none.
   vtkSetMacro(HasUndefined, bool);
-  vtkGetMacro(HasUndefined, bool);
   vtkSetMacro(HasNotJudged, bool);
-  vtkGetMacro(HasNotJudged, bool);
   ///@}
 
   /// Value, red, green and blue of the control points, to be interpolated in the color space RGB.

@@ -254,13 +254,3 @@ int vtkRenameData::RequestData(
   this->RenameBlocks(outputs);
   return 1;
 }
-
-//------------------------------------------------------------------------------
-void vtkRenameData::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
-  os << indent << "ArrayNames: " << this->ArrayNames.size() << "\n";
-  os << indent << "BlockNames: " << this->BlockNames.size() << "\n";
-  os << indent << "LongIntegers: " << this->LongIntegers << "\n";
-  os << indent << "QuotesTexts: " << this->QuotesTexts << "\n";
-}

@@ -26,7 +26,6 @@ class vtkRenameData : public vtkPassInputTypeAlgorithm
 public:
   static vtkRenameData* New();
   vtkTypeMacro(vtkRenameData, vtkPassInputTypeAlgorithm);
-  void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
   /// Old and new names of arrays and components. Default: none; others keep their names.
@@ -46,16 +45,12 @@ public:
    * do not truncate to 32 bits; "Double" converts them to double.
    */
   void SetLongIntegers(const char* choice);
-  const char* GetLongIntegers() const { return this->LongIntegers.c_str(); }
   ///@}
 
-  ///@{
   /// Whether arrays become columns of a table: quotation marks in texts are doubled, a text that a
   /// spreadsheet would run as a formula begins with an apostrophe, and integers of a byte are no
   /// characters. Default: off.
   vtkSetMacro(QuotesTexts, bool);
-  vtkGetMacro(QuotesTexts, bool);
-  ///@}
 
 protected:
   vtkRenameData() = default;

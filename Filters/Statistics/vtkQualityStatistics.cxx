@@ -130,32 +130,6 @@ vtkQualityStatistics::vtkQualityStatistics()
 }
 
 //------------------------------------------------------------------------------
-void vtkQualityStatistics::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
-  os << indent << "ElementType: " << this->ElementType << '\n';
-  os << indent << "Moments: " << this->Moments << '\n';
-  os << indent << "OnlySelected: " << this->OnlySelected << '\n';
-  os << indent << "SelectionArray: " << this->SelectionArray << '\n';
-  os << indent << "CurvePoints: " << this->CurvePoints << '\n';
-  os << indent << "CurveValues: " << this->CurveValues.size() << '\n';
-  os << indent << "BinEdges: " << this->BinEdges.size() << '\n';
-  os << indent << "Ranges: " << this->Ranges << '\n';
-  os << indent << "WeightArray: " << this->WeightArray << '\n';
-  os << indent << "Quantiles (%):";
-  for (const double percent : this->Quantiles)
-  {
-    os << ' ' << percent;
-  }
-  os << '\n' << indent << "NumberOfBins: " << this->NumberOfBins << '\n';
-  os << indent << "HistogramRange: " << this->HistogramRange << '\n';
-  os << indent << "CustomRange: " << this->CustomRange[0] << ' ' << this->CustomRange[1] << '\n';
-  os << indent << "HistogramScale: " << this->HistogramScale << '\n';
-  os << indent << "NumberOfWorst: " << this->NumberOfWorst << '\n';
-  os << indent << "WorstValues: " << this->WorstValues << '\n';
-}
-
-//------------------------------------------------------------------------------
 void vtkQualityStatistics::AddQuantile(double percent)
 {
   if (!(percent >= 0 && percent <= 100))

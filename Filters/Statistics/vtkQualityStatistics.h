@@ -40,7 +40,6 @@ class vtkQualityStatistics : public vtkQualityTables
 public:
   static vtkQualityStatistics* New();
   vtkTypeMacro(vtkQualityStatistics, vtkQualityTables);
-  void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
   /// Evaluate arrays of "Cells" (default) or "Points". A point that several pieces have counts
@@ -65,20 +64,15 @@ public:
   vtkGetCharFromStdStringMacro(WeightArray);
   ///@}
 
-  ///@{
   /// Compute standard deviation, variance, skewness, kurtosis, root mean square, geometric mean,
   /// and the elements with the extremes. Otherwise, they are undefined, and counts and histograms
   /// take less time. Default: on.
   vtkSetMacro(Moments, bool);
-  vtkGetMacro(Moments, bool);
-  vtkBooleanMacro(Moments, bool);
-  ///@}
 
   ///@{
   /// Evaluate only elements whose value of SelectionArray is neither 0 nor NaN. Default: off.
   vtkSetMacro(OnlySelected, bool);
   vtkGetMacro(OnlySelected, bool);
-  vtkBooleanMacro(OnlySelected, bool);
   ///@}
 
   ///@{
@@ -109,7 +103,6 @@ public:
   /// Values at which histograms have an edge between bins, for all arrays; not NaN. Default: none.
   void AddBinEdge(double value);
   void ClearBinEdges();
-  const std::vector<double>& GetBinEdges() const { return this->BinEdges; }
   ///@}
 
   ///@{

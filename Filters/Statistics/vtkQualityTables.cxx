@@ -25,22 +25,6 @@ vtkQualityTables::vtkQualityTables()
 vtkQualityTables::~vtkQualityTables() = default;
 
 //------------------------------------------------------------------------------
-void vtkQualityTables::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
-  os << indent << "Arrays:";
-  for (const std::string& name : this->Arrays)
-  {
-    os << ' ' << name;
-  }
-  os << '\n' << indent << "Preset: " << this->Preset << '\n';
-  os << indent << "RangesFile: " << this->RangesFile << '\n';
-  os << indent << "GroupBy: " << this->GroupBy << '\n';
-  os << indent << "GroupArray: " << this->GroupArray << '\n';
-  os << indent << "AllTimeSteps: " << this->AllTimeSteps << '\n';
-}
-
-//------------------------------------------------------------------------------
 void vtkQualityTables::AddArray(const char* name)
 {
   if (name && name[0])

@@ -33,7 +33,6 @@ class vtkQualityTables : public vtkDataObjectAlgorithm
 {
 public:
   vtkTypeMacro(vtkQualityTables, vtkDataObjectAlgorithm);
-  void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
   /// One-component arrays to evaluate, each once. Default: none, which means all arrays named like
@@ -65,21 +64,17 @@ public:
   vtkGetCharFromStdStringMacro(GroupBy);
   ///@}
 
-  ///@{
   /**
    * One-component cell array to group by, such as a material or a region, with up to 1000 different
    * values. Cells whose values are neither 64-bit integers nor texts are in no group. Default:
    * empty, the first integer array, else the first array of numbers, else of texts.
    */
   vtkSetStdStringFromCharMacro(GroupArray);
-  vtkGetCharFromStdStringMacro(GroupArray);
-  ///@}
 
   ///@{
   /// Evaluate all time steps of the input, and add a column "Time". Default: off.
   vtkSetMacro(AllTimeSteps, bool);
   vtkGetMacro(AllTimeSteps, bool);
-  vtkBooleanMacro(AllTimeSteps, bool);
   ///@}
 
 protected:

@@ -20,15 +20,12 @@ public:
 
   /// From 0 (coarsest) to 1: ParaView's LOD Resolution. Default: 0.5.
   vtkSetClampMacro(Resolution, double, 0, 1);
-  vtkGetMacro(Resolution, double);
 
   /// Output only the edges of the bounds, no cells. Default: off.
   vtkSetMacro(OutlineOnly, bool);
-  vtkGetMacro(OutlineOnly, bool);
 
   /// Bounds of all blocks and processes. Default: 1, -1, ..., which means those of the input.
   vtkSetVector6Macro(WholeBounds, double);
-  vtkGetVector6Macro(WholeBounds, double);
 
 protected:
   vtkCoarseInspectionMesh() = default;

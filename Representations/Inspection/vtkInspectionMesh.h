@@ -39,7 +39,6 @@ public:
 
   /// Number of block colors: vtkBlockColors is the block number modulo this. Default: 7.
   vtkSetClampMacro(BlockColorsDistinctValues, int, 1, VTK_INT_MAX);
-  vtkGetMacro(BlockColorsDistinctValues, int);
 
 protected:
   vtkInspectionMesh() = default;

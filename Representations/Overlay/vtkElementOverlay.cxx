@@ -89,15 +89,6 @@ vtkElementOverlay::vtkElementOverlay()
 vtkElementOverlay::~vtkElementOverlay() = default;
 
 //------------------------------------------------------------------------------
-void vtkElementOverlay::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
-  const double* color = this->Actor->GetProperty()->GetColor();
-  os << indent << "MostCells: " << this->MostCells << '\n';
-  os << indent << "Color: " << color[0] << ' ' << color[1] << ' ' << color[2] << '\n';
-}
-
-//------------------------------------------------------------------------------
 void vtkElementOverlay::SetVisibility(bool isVisible)
 {
   this->Superclass::SetVisibility(isVisible);

@@ -24,18 +24,14 @@ class vtkElementOverlay : public vtkPVDataRepresentation
 public:
   static vtkElementOverlay* New();
   vtkTypeMacro(vtkElementOverlay, vtkPVDataRepresentation);
-  void PrintSelf(ostream& os, vtkIndent indent) override;
 
   int ProcessViewRequest(
     vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo) override;
 
   void SetVisibility(bool isVisible) override;
 
-  ///@{
   /// The overlay is empty if there are more cells on all processes. Default: 100,000.
   vtkSetMacro(MostCells, vtkIdType);
-  vtkGetMacro(MostCells, vtkIdType);
-  ///@}
 
   /// Color of film and edges. Default: magenta, as ParaView's selections.
   void SetColor(double red, double green, double blue);
