@@ -151,6 +151,12 @@ unsigned GetJudgedShapes(const Criterion& criterion)
 }
 
 //------------------------------------------------------------------------------
+const char* GetBetterName(Better better)
+{
+  return better == Better::Bigger ? "Bigger" : better == Better::Smaller ? "Smaller" : "Neither";
+}
+
+//------------------------------------------------------------------------------
 std::optional<WorstEnd> FindWorstEnd(const std::string& name)
 {
   const Criterion* criterion = FindAnyCriterion(name);

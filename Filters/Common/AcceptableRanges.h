@@ -97,6 +97,9 @@ unsigned GetJudgedShapes(const Criterion& criterion);
 std::vector<Preset::Rule> ReadRanges(const std::string& lines, const std::string& path,
   Reducer& reducer, const Criterion* (*find)(std::string_view) = FindCriterion);
 
+/// "Smaller", "Neither" or "Bigger".
+const char* GetBetterName(Better better);
+
 /// The bad end of the criterion's range. None if the criterion is unknown, or if neither small nor
 /// large values are worse. A one-sided acceptable range has a bad end: volumes must be above 0.
 std::optional<WorstEnd> FindWorstEnd(const std::string& criterion);

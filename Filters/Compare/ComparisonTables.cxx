@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ComparisonTables.h"
 
+#include "AcceptableRanges.h"
 #include "Base/Number.h"
 #include "TableRows.h"
 
@@ -48,12 +49,6 @@ double GetFraction(const Histogram& histogram, std::int64_t count)
 {
   const std::int64_t total = histogram.GetTotal() - histogram.UndefinedCount;
   return total > 0 ? static_cast<double>(count) / static_cast<double>(total) : NaN;
-}
-
-//------------------------------------------------------------------------------
-std::string GetBetterName(Better better)
-{
-  return better == Better::Bigger ? "Bigger" : better == Better::Smaller ? "Smaller" : "Neither";
 }
 }
 

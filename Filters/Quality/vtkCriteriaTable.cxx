@@ -7,16 +7,17 @@
 #include "ControllerReducer.h"
 #include "Elements/ElementCriteria.h"
 #include "Rules/ParsedRules.h"
+#include "TableRows.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkIntArray.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkStringArray.h"
 #include "vtkTable.h"
 
+#include <cstdint>
 #include <exception>
 #include <string>
 
@@ -25,29 +26,12 @@ vtkStandardNewMacro(vtkCriteriaTable);
 namespace
 {
 //------------------------------------------------------------------------------
-template <typename Array>
-Array* AddColumn(vtkTable* table, const char* name)
-{
-  vtkNew<Array> column;
-  column->SetName(name);
-  table->AddColumn(column);
-  return column;
-}
-
-//------------------------------------------------------------------------------
 const char* GetDimension(enum camaron::Unit unit)
 {
-  switch (unit)
-  {
-    case camaron::Unit::Length:
-      return "Length";
-    case camaron::Unit::Area:
-      return "Area";
-    case camaron::Unit::Volume:
-      return "Volume";
-    default:
-      return "";
-  }
+  return unit == camaron::Unit::Length ? "Length"
+    : unit == camaron::Unit::Area      ? "Area"
+    : unit == camaron::Unit::Volume    ? "Volume"
+                                       : "";
 }
 
 //------------------------------------------------------------------------------
@@ -79,158 +63,118 @@ std::string GetShapes(unsigned appliesTo)
 }
 
 //------------------------------------------------------------------------------
-const char* GetBetter(camaron::Better better)
+void AddColumnsOfCriteria(vtkTable* table)
 {
-  switch (better)
-  {
-    case camaron::Better::Smaller:
-      return "Smaller";
-    case camaron::Better::Bigger:
-      return "Bigger";
-    default:
-      return "Neither";
-  }
+  camaron::AddColumns<vtkStringArray>(
+    table, { "Name", "Label", "Description", "Unit", "Dimension", "AppliesTo" });
+  camaron::AddColumns<vtkDoubleArray>(table, { "RangeLow", "RangeHigh", "Ideal" });
+  camaron::AddColumns<vtkStringArray>(table, { "Better" });
+  camaron::AddColumns<vtkDoubleArray>(table, { "AcceptableLow", "AcceptableHigh" });
+  camaron::AddColumns<vtkStringArray>(table, { "AcceptableSource" });
+  camaron::AddColumns<vtkIntArray>(table, { "AcceptableIsHint" });
+  camaron::AddColumns<vtkStringArray>(table, { "AcceptableFor" });
+  camaron::AddColumns<vtkIntArray>(table, { "IsCurved" });
+  camaron::AddColumns<vtkStringArray>(
+    table, { "Family", "Formula", "Degenerate", "Agreement", "Curved", "Consequence" });
 }
 
 //------------------------------------------------------------------------------
-void ListCriteria(vtkTable* table, const std::vector<camaron::Criterion>& criteria)
+void AddCriterion(camaron::TableRow& row, const camaron::Criterion& criterion)
 {
-  auto* name = AddColumn<vtkStringArray>(table, "Name");
-  auto* label = AddColumn<vtkStringArray>(table, "Label");
-  auto* description = AddColumn<vtkStringArray>(table, "Description");
-  auto* unit = AddColumn<vtkStringArray>(table, "Unit");
-  auto* dimension = AddColumn<vtkStringArray>(table, "Dimension");
-  auto* appliesTo = AddColumn<vtkStringArray>(table, "AppliesTo");
-  auto* rangeLow = AddColumn<vtkDoubleArray>(table, "RangeLow");
-  auto* rangeHigh = AddColumn<vtkDoubleArray>(table, "RangeHigh");
-  auto* ideal = AddColumn<vtkDoubleArray>(table, "Ideal");
-  auto* better = AddColumn<vtkStringArray>(table, "Better");
-  auto* low = AddColumn<vtkDoubleArray>(table, "AcceptableLow");
-  auto* high = AddColumn<vtkDoubleArray>(table, "AcceptableHigh");
-  auto* source = AddColumn<vtkStringArray>(table, "AcceptableSource");
-  auto* isHint = AddColumn<vtkIntArray>(table, "AcceptableIsHint");
-  auto* acceptableFor = AddColumn<vtkStringArray>(table, "AcceptableFor");
-  auto* isCurved = AddColumn<vtkIntArray>(table, "IsCurved");
-  auto* family = AddColumn<vtkStringArray>(table, "Family");
-  auto* formula = AddColumn<vtkStringArray>(table, "Formula");
-  auto* degenerate = AddColumn<vtkStringArray>(table, "Degenerate");
-  auto* agreement = AddColumn<vtkStringArray>(table, "Agreement");
-  auto* curved = AddColumn<vtkStringArray>(table, "Curved");
-  auto* consequence = AddColumn<vtkStringArray>(table, "Consequence");
-  for (const camaron::Criterion& criterion : criteria)
+  row.Add(criterion.Name, criterion.Label, criterion.Description, criterion.UnitLabel(),
+    GetDimension(criterion.Unit), GetShapes(criterion.AppliesTo));
+  row.Add(criterion.Range[0], criterion.Range[1], criterion.Ideal);
+  row.Add(camaron::GetBetterName(criterion.Better));
+  row.Add(criterion.Acceptable[0], criterion.Acceptable[1], criterion.AcceptableSource);
+  row.Add(std::int64_t(criterion.AcceptableIsHint), GetShapes(criterion.AcceptableFor));
+  row.Add(std::int64_t(criterion.IsCurved), criterion.Family);
+  const camaron::CriterionNotes& notes = criterion.Notes;
+  row.Add(notes.Formula, notes.Degenerate, notes.Agreement, notes.Curved, notes.Consequence);
+}
+
+//------------------------------------------------------------------------------
+void ListCriteria(vtkTable* table)
+{
+  AddColumnsOfCriteria(table);
+  for (const camaron::Criterion& criterion : camaron::GetCriteria())
   {
-    name->InsertNextValue(criterion.Name);
-    label->InsertNextValue(criterion.Label);
-    description->InsertNextValue(criterion.Description);
-    unit->InsertNextValue(criterion.UnitLabel());
-    dimension->InsertNextValue(GetDimension(criterion.Unit));
-    appliesTo->InsertNextValue(GetShapes(criterion.AppliesTo));
-    rangeLow->InsertNextValue(criterion.Range[0]);
-    rangeHigh->InsertNextValue(criterion.Range[1]);
-    ideal->InsertNextValue(criterion.Ideal);
-    better->InsertNextValue(GetBetter(criterion.Better));
-    low->InsertNextValue(criterion.Acceptable[0]);
-    high->InsertNextValue(criterion.Acceptable[1]);
-    source->InsertNextValue(criterion.AcceptableSource);
-    isHint->InsertNextValue(criterion.AcceptableIsHint ? 1 : 0);
-    acceptableFor->InsertNextValue(GetShapes(criterion.AcceptableFor));
-    isCurved->InsertNextValue(criterion.IsCurved ? 1 : 0);
-    family->InsertNextValue(criterion.Family);
-    formula->InsertNextValue(criterion.Notes.Formula);
-    degenerate->InsertNextValue(criterion.Notes.Degenerate);
-    agreement->InsertNextValue(criterion.Notes.Agreement);
-    curved->InsertNextValue(criterion.Notes.Curved);
-    consequence->InsertNextValue(criterion.Notes.Consequence);
+    camaron::TableRow row;
+    AddCriterion(row, criterion);
+    row.AppendTo(table);
   }
 }
 
 //------------------------------------------------------------------------------
 void ListRanges(vtkTable* table, const std::vector<camaron::Preset::Rule>& rules)
 {
-  auto* criterion = AddColumn<vtkStringArray>(table, "Criterion");
-  auto* low = AddColumn<vtkDoubleArray>(table, "AcceptableLow");
-  auto* high = AddColumn<vtkDoubleArray>(table, "AcceptableHigh");
+  camaron::AddColumns<vtkStringArray>(table, { "Criterion" });
+  camaron::AddColumns<vtkDoubleArray>(table, { "AcceptableLow", "AcceptableHigh" });
   for (const camaron::Preset::Rule& rule : rules)
   {
-    criterion->InsertNextValue(rule.Criterion);
-    low->InsertNextValue(rule.Acceptable[0]);
-    high->InsertNextValue(rule.Acceptable[1]);
+    camaron::TableRow row;
+    row.Add(rule.Criterion, rule.Acceptable[0], rule.Acceptable[1]);
+    row.AppendTo(table);
   }
 }
 
 //------------------------------------------------------------------------------
-void ListRules(vtkTable* table, const std::vector<camaron::Preset>& presets)
+void ListRules(vtkTable* table)
 {
-  auto* name = AddColumn<vtkStringArray>(table, "Preset");
-  auto* description = AddColumn<vtkStringArray>(table, "Description");
-  auto* criterion = AddColumn<vtkStringArray>(table, "Criterion");
-  auto* low = AddColumn<vtkDoubleArray>(table, "AcceptableLow");
-  auto* high = AddColumn<vtkDoubleArray>(table, "AcceptableHigh");
-  auto* isHint = AddColumn<vtkIntArray>(table, "AcceptableIsHint");
-  auto* acceptableFor = AddColumn<vtkStringArray>(table, "AcceptableFor");
-  auto* line = AddColumn<vtkStringArray>(table, "Rule");
-  for (const camaron::Preset& preset : presets)
+  camaron::AddColumns<vtkStringArray>(table, { "Preset", "Description", "Criterion" });
+  camaron::AddColumns<vtkDoubleArray>(table, { "AcceptableLow", "AcceptableHigh" });
+  camaron::AddColumns<vtkIntArray>(table, { "AcceptableIsHint" });
+  camaron::AddColumns<vtkStringArray>(table, { "AcceptableFor", "Rule" });
+  for (const camaron::Preset& preset : camaron::GetPresets())
   {
     const std::vector<camaron::Rule> rules = camaron::GetRulesOfPreset(preset, {});
     auto next = rules.begin();
     for (const camaron::Preset::Rule& rule : preset.Rules)
     {
-      name->InsertNextValue(preset.Name);
-      description->InsertNextValue(preset.Description);
-      criterion->InsertNextValue(rule.Criterion);
-      low->InsertNextValue(rule.Acceptable[0]);
-      high->InsertNextValue(rule.Acceptable[1]);
-      isHint->InsertNextValue(rule.IsHint ? 1 : 0);
-      acceptableFor->InsertNextValue(GetShapes(rule.AcceptableFor));
       const bool isChecked = next != rules.end() && next->Criterion == rule.Criterion;
-      line->InsertNextValue(isChecked ? (next++)->GetLineText() : std::string());
+      camaron::TableRow row;
+      row.Add(preset.Name, preset.Description, rule.Criterion);
+      row.Add(rule.Acceptable[0], rule.Acceptable[1], std::int64_t(rule.IsHint));
+      row.Add(GetShapes(rule.AcceptableFor), isChecked ? (next++)->GetLineText() : std::string());
+      row.AppendTo(table);
     }
   }
 }
 
 //------------------------------------------------------------------------------
-void ListElementArrays(vtkTable* table, bool isRoot)
+void ListElementArrays(vtkTable* table)
 {
-  // Columns of a table must have the same number of rows when another one is added.
-  auto* element = AddColumn<vtkStringArray>(table, "Element");
-  auto* cells = AddColumn<vtkStringArray>(table, "Cells");
-  auto* isDefault = AddColumn<vtkIntArray>(table, "IsDefault");
-  std::vector<camaron::Criterion> criteria;
+  camaron::AddColumns<vtkStringArray>(table, { "Element", "Cells" });
+  camaron::AddColumns<vtkIntArray>(table, { "IsDefault" });
+  AddColumnsOfCriteria(table);
   for (const camaron::ElementTable& rows : camaron::GetElementTables())
   {
-    criteria.insert(criteria.end(), rows.Criteria.begin(), rows.Criteria.end());
-  }
-  ListCriteria(table, isRoot ? criteria : std::vector<camaron::Criterion>());
-  for (const camaron::ElementTable& rows : camaron::GetElementTables())
-  {
-    for (const camaron::ElementArray& row :
-      isRoot ? rows.Arrays : std::vector<camaron::ElementArray>())
+    for (std::size_t i = 0; i < rows.Arrays.size(); ++i)
     {
-      element->InsertNextValue(rows.Element);
-      cells->InsertNextValue(row.Dimensions == camaron::OfPolygons ? "2D"
-          : row.Dimensions == camaron::OfPolyhedra                 ? "3D"
-                                                                   : "2D, 3D");
-      isDefault->InsertNextValue(row.IsDefault ? 1 : 0);
+      const unsigned dimensions = rows.Arrays[i].Dimensions;
+      camaron::TableRow row;
+      row.Add(rows.Element,
+        dimensions == camaron::OfPolygons      ? "2D"
+          : dimensions == camaron::OfPolyhedra ? "3D"
+                                               : "2D, 3D",
+        std::int64_t(rows.Arrays[i].IsDefault));
+      AddCriterion(row, rows.Criteria[i]);
+      row.AppendTo(table);
     }
   }
 }
 
 //------------------------------------------------------------------------------
-void ListDefects(vtkTable* table, bool isRoot)
+void ListDefects(vtkTable* table)
 {
-  auto* bit = AddColumn<vtkIntArray>(table, "Bit");
-  auto* name = AddColumn<vtkStringArray>(table, "Name");
-  auto* description = AddColumn<vtkStringArray>(table, "Description");
-  auto* invalid = AddColumn<vtkIntArray>(table, "Invalid");
+  camaron::AddColumns<vtkIntArray>(table, { "Bit" });
+  camaron::AddColumns<vtkStringArray>(table, { "Name", "Description" });
+  camaron::AddColumns<vtkIntArray>(table, { "Invalid" });
   for (const camaron::CellDefect& defect : camaron::CellDefects)
   {
-    if (isRoot)
-    {
-      bit->InsertNextValue(static_cast<int>(defect.Bit));
-      name->InsertNextValue(defect.Name);
-      description->InsertNextValue(defect.Description);
-      invalid->InsertNextValue(defect.IsInvalid ? 1 : 0);
-    }
+    camaron::TableRow row;
+    row.Add(
+      std::int64_t(defect.Bit), defect.Name, defect.Description, std::int64_t(defect.IsInvalid));
+    row.AppendTo(table);
   }
 }
 }
@@ -260,24 +204,24 @@ int vtkCriteriaTable::RequestData(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
   camaron::ControllerReducer reducer;
-  const bool isRoot = reducer.GetProcess() == 0;
-  vtkTable* criteria = vtkTable::GetData(outputVector, 0);
-  vtkTable* rules = vtkTable::GetData(outputVector, 1);
-  ListCriteria(criteria, isRoot ? camaron::GetCriteria() : std::vector<camaron::Criterion>());
-  ListRules(rules, isRoot ? camaron::GetPresets() : std::vector<camaron::Preset>());
-  std::vector<camaron::Preset::Rule> ranges;
+  ListCriteria(vtkTable::GetData(outputVector, 0));
+  ListRules(vtkTable::GetData(outputVector, 1));
+  int succeeds = 1;
   try
   {
-    ranges = camaron::ReadRanges(this->Ranges, this->RangesFile, reducer);
+    ListRanges(vtkTable::GetData(outputVector, 2),
+      camaron::ReadRanges(this->Ranges, this->RangesFile, reducer));
+    ListElementArrays(vtkTable::GetData(outputVector, 3));
+    ListDefects(vtkTable::GetData(outputVector, 4));
   }
   catch (const std::exception& error)
   {
     vtkErrorMacro("" << error.what() << '.');
-    return 0;
+    succeeds = 0;
   }
-  ListRanges(
-    vtkTable::GetData(outputVector, 2), isRoot ? ranges : std::vector<camaron::Preset::Rule>());
-  ListElementArrays(vtkTable::GetData(outputVector, 3), isRoot);
-  ListDefects(vtkTable::GetData(outputVector, 4), isRoot);
-  return 1;
+  for (int port = 0; port < this->GetNumberOfOutputPorts() && reducer.GetProcess() > 0; ++port)
+  {
+    vtkTable::GetData(outputVector, port)->SetNumberOfRows(0);
+  }
+  return succeeds;
 }
