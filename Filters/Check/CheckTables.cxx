@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CheckTables.h"
 
-#include "Grouping.h"
+#include "Base/Number.h"
+#include "StatisticsTables.h"
 #include "TableRows.h"
 
 #include "vtkDoubleArray.h"
@@ -16,36 +17,11 @@ namespace camaron
 namespace
 {
 //------------------------------------------------------------------------------
-// Of a cell: Id, IdSpace, Block and CellType; then Value, X, Y, Z and Size.
-void AddCell(TableRow& row, const WorstElement& cell, const CheckResults& results, std::size_t rule)
+// The columns of AddElement without an element.
+void AddNoElement(TableRow& row)
 {
-  const auto block = std::find_if(results.BlockNames.begin(), results.BlockNames.end(),
-    [&](const auto& entry) { return entry.first == cell.BlockNumber; });
-  row.Add(std::int64_t(cell.Id));
-  row.Add(results.IdSpaces[rule]);
-  row.Add(block == results.BlockNames.end() ? std::string() : block->second);
-  row.Add(GetCellTypeLabel(cell.CellType));
-  row.Add(cell.Value);
-  for (const double coordinate : cell.Place)
-  {
-    row.Add(coordinate);
-  }
-  row.Add(cell.Size);
-}
-
-//------------------------------------------------------------------------------
-void AddNoCell(TableRow& row)
-{
-  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-  row.Add(std::int64_t(-1));
-  for (int text = 0; text < 3; ++text)
-  {
-    row.Add(std::string());
-  }
-  for (int number = 0; number < 5; ++number)
-  {
-    row.Add(unknown);
-  }
+  row.Add(std::int64_t(-1), std::string(), std::string(), std::string());
+  row.Add(NaN, NaN, NaN, NaN, NaN);
 }
 
 //------------------------------------------------------------------------------
@@ -118,37 +94,19 @@ void AddRuleRows(vtkTable* table, const CheckResults& results)
     const RuleResult& result = results.Results[i];
     const Scope scope = rule.Scope.value_or(Scope());
     TableRow row;
-    row.Add(rule.GetText());
-    row.Add(std::string(GetName(result.Verdict)));
-    row.Add(rule.Criterion);
-    row.Add(rule.FindCriterion()->UnitLabel());
-    row.Add(rule.GetRangeText());
-    row.Add(rule.Low);
-    row.Add(rule.High);
-    row.Add(std::int64_t(rule.LowIncluded));
-    row.Add(std::int64_t(rule.HighIncluded));
-    row.Add(rule.GetScopeText());
-    row.Add(std::string(rule.Scope ? scope.GetName() : ""));
-    row.Add(scope.Value);
-    row.Add(scope.Array);
-    for (const std::int64_t count : { results.NumberOfCells, result.Cells, result.Checked,
-           result.Failing, result.Below, result.Above, result.Undefined, result.Infinite })
-    {
-      row.Add(count);
-    }
-    row.Add(Percent(result.Failing, result.Checked));
-    row.Add(result.FailingSizePercent);
-    row.Add(rule.Tolerance.GetText());
-    row.Add(result.Tolerated);
-    row.Add(result.Min);
-    row.Add(result.Max);
-    result.Worst ? AddCell(row, *result.Worst, results, i) : AddNoCell(row);
-    row.Add(std::int64_t(rule.UndefinedFails));
-    row.Add(std::int64_t(rule.IsHint));
-    row.Add(rule.Preset);
-    row.Add(rule.Source);
-    row.Add(std::int64_t(rule.Line));
-    row.Add(rule.GetLineText());
+    row.Add(rule.GetText(), GetName(result.Verdict), rule.Criterion,
+      rule.FindCriterion()->UnitLabel(), rule.GetRangeText());
+    row.Add(rule.Low, rule.High);
+    row.Add(std::int64_t(rule.LowIncluded), std::int64_t(rule.HighIncluded));
+    row.Add(rule.GetScopeText(), rule.Scope ? scope.GetName() : "", scope.Value, scope.Array);
+    row.Add(results.NumberOfCells, result.Cells, result.Checked, result.Failing, result.Below,
+      result.Above, result.Undefined, result.Infinite);
+    row.Add(Percent(result.Failing, result.Checked), result.FailingSizePercent);
+    row.Add(rule.Tolerance.GetText(), result.Tolerated, result.Min, result.Max);
+    result.Worst ? AddElement(row, *result.Worst, results.IdSpaces[i], results.BlockNames)
+                 : AddNoElement(row);
+    row.Add(std::int64_t(rule.UndefinedFails), std::int64_t(rule.IsHint));
+    row.Add(rule.Preset, rule.Source, std::int64_t(rule.Line), rule.GetLineText());
     row.AppendTo(table);
   }
   AddFieldData(table->GetFieldData(), results);
@@ -173,11 +131,9 @@ void AddFailingRows(vtkTable* table, const CheckResults& results)
     for (const FailingCell& cell : results.Results[i].List)
     {
       TableRow row;
-      row.Add(results.Rules[i].GetText());
-      row.Add(static_cast<std::int64_t>(i));
-      row.Add(++rank);
-      AddCell(row, cell, results, i);
-      row.Add(std::string(GetName(cell.Why)));
+      row.Add(results.Rules[i].GetText(), static_cast<std::int64_t>(i), ++rank);
+      AddElement(row, cell, results.IdSpaces[i], results.BlockNames);
+      row.Add(GetName(cell.Why));
       row.AppendTo(table);
     }
   }

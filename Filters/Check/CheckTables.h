@@ -7,11 +7,11 @@
 #ifndef camaron_CheckTables_h
 #define camaron_CheckTables_h
 
+#include "Grouping.h"
 #include "Rules/RuleResults.h"
 
 #include <cstdint> // for counts
 #include <string>  // for names
-#include <utility> // for names of blocks
 #include <vector>  // for lists
 
 class vtkTable;
@@ -24,8 +24,8 @@ struct CheckResults
   std::vector<Rule> Rules;
   std::vector<RuleResult> Results; ///< one per rule
   std::int64_t NumberOfCells = 0;
-  std::vector<std::string> IdSpaces;                   ///< one per rule
-  std::vector<std::pair<int, std::string>> BlockNames; ///< by the block number of the cells
+  std::vector<std::string> IdSpaces; ///< one per rule
+  camaron::BlockNames BlockNames;
 };
 
 ///@{

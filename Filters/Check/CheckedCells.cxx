@@ -147,7 +147,7 @@ void ChooseCriteria(const std::vector<Rule>& rules, vtkElementQuality& evaluator
 
 //------------------------------------------------------------------------------
 void CheckScopes(const std::vector<Rule>& rules, const std::vector<DataSetLeaf>& leaves,
-  const std::vector<std::pair<int, std::string>>& blockNames, Reducer& reducer)
+  const BlockNames& blockNames, Reducer& reducer)
 {
   std::vector<std::string> blocks, arrays, criteria;
   for (const auto& block : blockNames)

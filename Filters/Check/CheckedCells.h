@@ -8,6 +8,7 @@
 #define camaron_CheckedCells_h
 
 #include "ElementBlocks.h"
+#include "Grouping.h"
 #include "Rules/Rule.h"
 
 #include <optional> // for scopes
@@ -33,7 +34,7 @@ void ChooseCriteria(const std::vector<Rule>& rules, vtkElementQuality& evaluator
  * @param blockNames see GetBlockNames
  */
 void CheckScopes(const std::vector<Rule>& rules, const std::vector<DataSetLeaf>& leaves,
-  const std::vector<std::pair<int, std::string>>& blockNames, Reducer& reducer);
+  const BlockNames& blockNames, Reducer& reducer);
 
 /// The cells in a scope. Needs a byte per cell unless they are all cells.
 class CheckedCells

@@ -17,7 +17,6 @@
 #include "vtkObjectFactory.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
-#include <algorithm>
 
 vtkStandardNewMacro(vtkQualityRegions);
 
@@ -40,13 +39,11 @@ void AddColumnsOfRegions(vtkTable* table, bool withVolumes)
 
 //------------------------------------------------------------------------------
 void AddRows(vtkTable* table, const camaron::QualityRegions& regions, const std::string& idSpace,
-  const std::vector<std::pair<int, std::string>>& blockNames)
+  const camaron::BlockNames& blockNames)
 {
   std::int64_t rank = 0;
   for (const camaron::QualityRegion& region : regions.Largest)
   {
-    const auto block = std::find_if(blockNames.begin(), blockNames.end(),
-      [&](const auto& entry) { return entry.first == region.BlockNumber; });
     camaron::TableRow row;
     row.Add(++rank, region.Count, region.WorstValue, static_cast<std::int64_t>(region.WorstId),
       idSpace, region.Center, region.Size);
@@ -54,7 +51,7 @@ void AddRows(vtkTable* table, const camaron::QualityRegions& regions, const std:
     {
       row.Add(region.Volume);
     }
-    row.Add(block == blockNames.end() ? std::string() : block->second);
+    row.Add(camaron::FindBlockName(blockNames, region.BlockNumber));
     row.AppendTo(table);
   }
 }

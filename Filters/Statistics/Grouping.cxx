@@ -497,19 +497,26 @@ std::string GetCellTypeLabel(int cellType)
 }
 
 //------------------------------------------------------------------------------
-std::vector<std::pair<int, std::string>> GetBlockNames(
-  const ElementBlocks& blocks, Reducer& reducer)
+BlockNames GetBlockNames(const ElementBlocks& blocks, Reducer& reducer)
 {
   std::set<Label> labels;
   for (const ElementBlock& block : blocks.Get())
   {
     labels.emplace(ExactValue{ static_cast<double>(block.Number) }, block.Name);
   }
-  std::vector<std::pair<int, std::string>> names;
+  BlockNames names;
   for (const Label& label : GatherLabels(labels, reducer))
   {
     names.emplace_back(static_cast<int>(label.first.Value), label.second);
   }
   return names;
+}
+
+//------------------------------------------------------------------------------
+std::string FindBlockName(const BlockNames& names, int number)
+{
+  const auto found = std::find_if(
+    names.begin(), names.end(), [number](const auto& name) { return name.first == number; });
+  return found == names.end() ? std::string() : found->second;
 }
 }

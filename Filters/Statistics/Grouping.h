@@ -80,9 +80,12 @@ std::vector<Group> JoinGroups(const std::vector<Group>& a, const std::vector<Gro
 
 /// Display name of a VTK cell type, such as "Tetra" or "Polyhedron".
 std::string GetCellTypeLabel(int cellType);
-/// Collective. Numbers and names of the blocks of all processes, by number.
-std::vector<std::pair<int, std::string>> GetBlockNames(
-  const ElementBlocks& blocks, Reducer& reducer);
+/// Numbers and names of blocks, by number.
+using BlockNames = std::vector<std::pair<int, std::string>>;
+/// Collective. Those of the blocks of all processes.
+BlockNames GetBlockNames(const ElementBlocks& blocks, Reducer& reducer);
+/// The name of a block; empty if it is not among them.
+std::string FindBlockName(const BlockNames& names, int number);
 }
 
 #endif

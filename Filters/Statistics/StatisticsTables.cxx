@@ -8,7 +8,6 @@
 #include "PropertyValues.h"
 #include "TableRows.h"
 
-#include <algorithm>
 #include <cstdio>
 
 namespace camaron
@@ -145,22 +144,26 @@ void AddWorstColumns(vtkTable* table, const TableLayout& layout)
 }
 
 //------------------------------------------------------------------------------
+void AddElement(TableRow& row, const WorstElement& element, const std::string& idSpace,
+  const BlockNames& blockNames)
+{
+  row.Add(std::int64_t(element.Id), idSpace, FindBlockName(blockNames, element.BlockNumber),
+    element.CellType == PointCellType ? std::string("Point") : GetCellTypeLabel(element.CellType));
+  row.Add(element.Value, element.Place[0], element.Place[1], element.Place[2], element.Size);
+}
+
+//------------------------------------------------------------------------------
 void AddWorstRows(vtkTable* table, const RowLabels& labels, bool hasRange,
   const std::vector<WorstElement>& worst, const std::vector<std::string>& vertices,
-  const std::vector<std::pair<int, std::string>>& blockNames)
+  const BlockNames& blockNames)
 {
   for (std::size_t i = 0; i < worst.size(); ++i)
   {
     const WorstElement& element = worst[i];
-    const auto block = std::find_if(blockNames.begin(), blockNames.end(),
-      [&](const auto& entry) { return entry.first == element.BlockNumber; });
     TableRow row = MakeRow(labels);
-    row.Add(static_cast<std::int64_t>(i + 1), std::int64_t(element.Id), labels.IdSpace,
-      block == blockNames.end() ? std::string() : block->second,
-      element.CellType == PointCellType ? std::string("Point")
-                                        : GetCellTypeLabel(element.CellType));
-    row.Add(element.Value, element.Place[0], element.Place[1], element.Place[2], element.Size,
-      vertices[i], ToTextIf(labels.OfIntegers, { element.Value, element.Rest }),
+    row.Add(static_cast<std::int64_t>(i + 1));
+    AddElement(row, element, labels.IdSpace, blockNames);
+    row.Add(vertices[i], ToTextIf(labels.OfIntegers, { element.Value, element.Rest }),
       std::int64_t(hasRange && element.IsJudged));
     row.AppendTo(table);
   }

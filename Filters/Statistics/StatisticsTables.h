@@ -7,6 +7,7 @@
 #ifndef camaron_StatisticsTables_h
 #define camaron_StatisticsTables_h
 
+#include "Grouping.h"
 #include "Statistics/Histogram.h"
 #include "Statistics/Quantiles.h"
 #include "Statistics/Summary.h"
@@ -22,6 +23,8 @@ class vtkTable;
 
 namespace camaron
 {
+class TableRow;
+
 /// Values that all rows of an array and group share.
 struct RowLabels
 {
@@ -61,11 +64,14 @@ void AddStatisticsRow(vtkTable* table, const RowLabels& labels, const Summary& s
 /// @a judged: of each bin, the elements that the acceptable range applies to.
 void AddHistogramRows(vtkTable* table, const RowLabels& labels, const Bins& bins,
   const Histogram& histogram, const std::vector<std::int64_t>& judged);
-/// @a vertices: one text per element. @a blockNames: by the block number of the elements. Points
-/// have the cell type PointCellType. @a hasRange: whether the array has an acceptable range.
+/// Adds Id, IdSpace, Block, CellType, Value, X, Y, Z and Size of an element to a row. Points have
+/// the cell type PointCellType.
+void AddElement(TableRow& row, const WorstElement& element, const std::string& idSpace,
+  const BlockNames& blockNames);
+/// @a vertices: one text per element. @a hasRange: whether the array has an acceptable range.
 void AddWorstRows(vtkTable* table, const RowLabels& labels, bool hasRange,
   const std::vector<WorstElement>& worst, const std::vector<std::string>& vertices,
-  const std::vector<std::pair<int, std::string>>& blockNames);
+  const BlockNames& blockNames);
 /// @a weighted: statistics of the same elements, if the curve has weights.
 void AddCurveRows(vtkTable* table, const RowLabels& labels, const CumulativeCurve& curve,
   const Summary& summary, const std::optional<WeightedSummary>& weighted);
