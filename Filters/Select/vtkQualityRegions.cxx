@@ -17,7 +17,6 @@
 #include "vtkObjectFactory.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
-
 vtkStandardNewMacro(vtkQualityRegions);
 
 namespace
@@ -60,10 +59,8 @@ void AddRows(vtkTable* table, const camaron::QualityRegions& regions, const std:
 //------------------------------------------------------------------------------
 vtkQualityRegions::vtkQualityRegions()
   : PresetNames(camaron::MakePresetNames(camaron::GetDefaultRangesName()))
-  , Preset(camaron::GetDefaultRangesName())
 {
-  this->SetNumberOfInputPorts(1);
-  this->SetNumberOfOutputPorts(1);
+  this->Adjacency = "Vertex";
 }
 
 //------------------------------------------------------------------------------
@@ -79,14 +76,6 @@ int vtkQualityRegions::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkTable* table = vtkTable::GetData(outputVector);
-  camaron::SelectionParameters parameters;
-  parameters.Array = this->Array;
-  parameters.Range = this->Range;
-  parameters.Preset = this->Preset;
-  parameters.RangesFile = this->RangesFile;
-  parameters.LowerLimit = this->LowerLimit;
-  parameters.UpperLimit = this->UpperLimit;
-  parameters.Adjacency = this->Adjacency;
   camaron::SelectionInputs inputs;
   inputs.Mesh = vtkDataObject::GetData(inputVector[0]);
   try
@@ -94,7 +83,7 @@ int vtkQualityRegions::RequestData(
     camaron::CheckNumber("Number Of Regions", this->NumberOfRegions, 0);
     camaron::ControllerReducer reducer;
     const camaron::ElementBlocks blocks(inputs.Mesh, reducer);
-    const camaron::SelectionTask task(parameters, inputs, blocks,
+    const camaron::SelectionTask task(*this, inputs, blocks,
       outputVector->GetInformationObject(0)->Get(
         vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES()),
       reducer);

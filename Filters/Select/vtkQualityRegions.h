@@ -24,13 +24,15 @@
 #ifndef vtkQualityRegions_h
 #define vtkQualityRegions_h
 
-#include "vtkSmartPointer.h" // for names
-#include "vtkStringArray.h"  // for names
+#include "SelectionParameters.h"
 #include "vtkTableAlgorithm.h"
 
-#include <string> // for choices
+#include "vtkSmartPointer.h" // for names
+#include "vtkStringArray.h"  // for names
 
-class vtkQualityRegions : public vtkTableAlgorithm
+class vtkQualityRegions
+  : public vtkTableAlgorithm
+  , private camaron::SelectionParameters
 {
 public:
   static vtkQualityRegions* New();
@@ -103,15 +105,8 @@ private:
   vtkQualityRegions(const vtkQualityRegions&) = delete;
   void operator=(const vtkQualityRegions&) = delete;
 
-  std::string Array;
-  std::string Range = "Acceptable";
   const vtkSmartPointer<vtkStringArray> PresetNames;
-  std::string Preset;
-  std::string RangesFile;
-  std::string LowerLimit;
-  std::string UpperLimit;
   bool IncludeUndefined = false;
-  std::string Adjacency = "Vertex";
   int NumberOfRegions = 100;
 };
 

@@ -157,13 +157,6 @@ std::vector<std::vector<vtkIdType>> FindRows(const camaron::ElementBlocks& block
 }
 
 //------------------------------------------------------------------------------
-vtkSelectionTable::vtkSelectionTable()
-{
-  this->SetNumberOfInputPorts(1);
-  this->SetNumberOfOutputPorts(1);
-}
-
-//------------------------------------------------------------------------------
 int vtkSelectionTable::FillInputPortInformation(int, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");

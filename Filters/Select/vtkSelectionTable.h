@@ -33,7 +33,7 @@ public:
   vtkSetMacro(Descending, bool);
 
 protected:
-  vtkSelectionTable();
+  vtkSelectionTable() = default;
   ~vtkSelectionTable() override = default;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
