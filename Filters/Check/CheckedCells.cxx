@@ -217,15 +217,11 @@ CheckedCells::CheckedCells(const std::optional<Scope>& scope, const ElementBlock
     std::vector<unsigned char>& skip = this->Skips[number];
     this->IsInside[number] = true;
     skip.resize(block.Size);
-    constexpr vtkIdType grain = 1 << 16;
-    ParallelFor(block.Size, grain,
-      [&](vtkIdType begin, vtkIdType end)
+    ParallelForEach(block.Size, LightGrain,
+      [&](vtkIdType cell)
       {
-        for (vtkIdType cell = begin; cell < end; ++cell)
-        {
-          skip[cell] = !block.Contains(cell) ||
-            std::find(wanted.begin(), wanted.end(), block.GetExact(cell)) == wanted.end();
-        }
+        skip[cell] = !block.Contains(cell) ||
+          std::find(wanted.begin(), wanted.end(), block.GetExact(cell)) == wanted.end();
       });
   }
 }

@@ -448,17 +448,12 @@ vtkSmartPointer<vtkDoubleArray> ToDoubles(vtkDataArray* array)
     return doubles;
   }
   // Arrays of criteria that are codes are vtkIdTypeArrays.
-  constexpr vtkIdType grain = 1 << 16;
   const auto doubles = MakeLargeArray<vtkDoubleArray>(ids->GetNumberOfValues());
   doubles->SetName(ids->GetName());
   const vtkIdType* const from = ids->GetPointer(0);
   double* const to = doubles->GetPointer(0);
-  ParallelFor(ids->GetNumberOfValues(), grain,
-    [=](vtkIdType begin, vtkIdType end)
-    {
-      std::transform(
-        from + begin, from + end, to + begin, [](vtkIdType id) { return static_cast<double>(id); });
-    });
+  ParallelForEach(ids->GetNumberOfValues(), LightGrain,
+    [=](vtkIdType i) { to[i] = static_cast<double>(from[i]); });
   return doubles;
 }
 

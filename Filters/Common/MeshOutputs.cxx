@@ -140,7 +140,6 @@ std::vector<vtkPolyData*> MakePolyDataLeaves(vtkDataObject* input, vtkDataObject
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkUnsignedCharArray> MakeUndefinedMask(vtkDoubleArray* values, vtkDataSet* mesh)
 {
-  constexpr vtkIdType grain = 65536;
   // Other data sets have no higher-order cells.
   auto* const grid = vtkUnstructuredGrid::SafeDownCast(mesh);
   const MeshView view(grid);
@@ -150,20 +149,17 @@ vtkSmartPointer<vtkUnsignedCharArray> MakeUndefinedMask(vtkDoubleArray* values, 
   mask->SetName((std::string(values->GetName()) + "_Undefined").c_str());
   const double* from = values->GetPointer(0);
   unsigned char* to = mask->GetPointer(0);
-  ParallelFor(values->GetNumberOfValues(), grain,
-    [&](vtkIdType begin, vtkIdType end)
+  ParallelForEach(values->GetNumberOfValues(), LightGrain,
+    [&](vtkIdType cell)
     {
-      for (vtkIdType cell = begin; cell < end; ++cell)
+      NullReason reason = GetNullReason(from[cell]);
+      if (reason == NullReason::Value && grid &&
+        GetCellShape(view.GetCellType(cell)).IsHigherOrder &&
+        !(isCurved && CellMap::IsMapped(view, cell)))
       {
-        NullReason reason = GetNullReason(from[cell]);
-        if (reason == NullReason::Value && grid &&
-          GetCellShape(view.GetCellType(cell)).IsHigherOrder &&
-          !(isCurved && CellMap::IsMapped(view, cell)))
-        {
-          reason = NullReason::HigherOrder;
-        }
-        to[cell] = static_cast<unsigned char>(reason);
+        reason = NullReason::HigherOrder;
       }
+      to[cell] = static_cast<unsigned char>(reason);
     });
   return mask;
 }

@@ -454,14 +454,8 @@ Population Grouping::GetPopulation(const Group& group, const BlockValues& values
     {
       std::vector<unsigned char>& mask = this->Masks[i];
       mask.resize(numbers.size());
-      ParallelFor(block.Size, 1 << 16,
-        [&](vtkIdType begin, vtkIdType end)
-        {
-          for (vtkIdType cell = begin; cell < end; ++cell)
-          {
-            mask[cell] = numbers[cell] != number || !block.Contains(cell);
-          }
-        });
+      ParallelForEach(block.Size, LightGrain,
+        [&](vtkIdType cell) { mask[cell] = numbers[cell] != number || !block.Contains(cell); });
       block.Skip = mask.data();
     }
     else if (numbers.front() != number)

@@ -66,14 +66,7 @@ void Fill(TextureBuffer& table, vtkIdType size, Function&& value)
     [&](void* memory)
     {
       auto* const rows = static_cast<Value*>(memory);
-      ParallelFor(size, Grain,
-        [&](vtkIdType begin, vtkIdType end)
-        {
-          for (vtkIdType i = begin; i < end; ++i)
-          {
-            rows[i] = value(i);
-          }
-        });
+      ParallelForEach(size, Grain, [&](vtkIdType i) { rows[i] = value(i); });
     });
 }
 
@@ -86,15 +79,12 @@ void PackEdges(CellTetrahedra& tetrahedra, vtkIdType numberOfPoints)
   {
     throw std::length_error("Cells can only be cut open in pieces of up to 2^30 points.");
   }
-  ParallelFor(static_cast<vtkIdType>(tetrahedra.Points.size()), Grain,
-    [&](vtkIdType begin, vtkIdType end)
+  ParallelForEach(static_cast<vtkIdType>(tetrahedra.Points.size()), Grain,
+    [&](vtkIdType i)
     {
-      for (vtkIdType i = begin; i < end; ++i)
+      for (int k = 0; k < 4; ++k)
       {
-        for (int k = 0; k < 4; ++k)
-        {
-          tetrahedra.Points[i][k] |= (tetrahedra.Edges[i] >> 2 * k & 3u) << Bits;
-        }
+        tetrahedra.Points[i][k] |= (tetrahedra.Edges[i] >> 2 * k & 3u) << Bits;
       }
     });
 }

@@ -302,15 +302,10 @@ vtkUnsignedCharArray* vtkMeshInspectionMapper::MapCells()
     constexpr int channels = 4;
     colors->SetNumberOfComponents(channels);
     colors->SetNumberOfTuples(values->GetNumberOfTuples());
-    ParallelFor(values->GetNumberOfTuples(), LightGrain,
+    ParallelForEach(values->GetNumberOfTuples(), LightGrain,
       [map = LinearColors(table), value = vtkArrayDownCast<vtkDoubleArray>(values)->GetPointer(0),
-        color = colors->GetPointer(0)](vtkIdType begin, vtkIdType end)
-      {
-        for (vtkIdType cell = begin; cell < end; ++cell)
-        {
-          map.Map(value[cell], color + channels * cell);
-        }
-      });
+        color = colors->GetPointer(0)](vtkIdType cell)
+      { map.Map(value[cell], color + channels * cell); });
     self.CellColors = colors;
   }
   else if (times != self.TimesOfCellColors)

@@ -77,16 +77,12 @@ std::string SelectById(const SelectionTask& task, SelectionMarks& marks)
   for (std::size_t b = 0; b < marks.size(); ++b)
   {
     const ElementBlock& block = task.Blocks.Get()[b];
-    ParallelFor(static_cast<vtkIdType>(marks[b].size()), 1 << 16,
-      [&](vtkIdType begin, vtkIdType end)
+    ParallelForEach(static_cast<vtkIdType>(marks[b].size()), LightGrain,
+      [&](vtkIdType cell)
       {
-        for (vtkIdType cell = begin; cell < end; ++cell)
-        {
-          const ExactValue id = ids[b].Bits
-            ? ids[b].Get(cell)
-            : ToExact(static_cast<std::int64_t>(block.GetIndex(cell)));
-          marks[b][cell] = !block.IsGhost(cell) && Contains(ranges, id);
-        }
+        const ExactValue id =
+          ids[b].Bits ? ids[b].Get(cell) : ToExact(static_cast<std::int64_t>(block.GetIndex(cell)));
+        marks[b][cell] = !block.IsGhost(cell) && Contains(ranges, id);
       });
     found += std::count(marks[b].begin(), marks[b].end(), 1);
   }

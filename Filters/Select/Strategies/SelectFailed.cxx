@@ -58,15 +58,12 @@ std::string SelectFailed(const SelectionTask& task, SelectionMarks& marks)
     {
       const ValueBlock& block = values.Get()[v];
       std::vector<int>& count = counts[values.GetBlockNumbers()[v]];
-      ParallelFor(block.Size, 1 << 16,
-        [&](vtkIdType begin, vtkIdType end)
+      ParallelForEach(block.Size, LightGrain,
+        [&](vtkIdType i)
         {
-          for (vtkIdType i = begin; i < end; ++i)
-          {
-            // NaN is on neither side.
-            count[i] +=
-              block.IsJudged(i) && (block.Values[i] < range.Low || block.Values[i] > range.High);
-          }
+          // NaN is on neither side.
+          count[i] +=
+            block.IsJudged(i) && (block.Values[i] < range.Low || block.Values[i] > range.High);
         });
     }
   }

@@ -191,14 +191,8 @@ void MarkElements(SelectionMarks& marks, IsSelected&& isSelected)
   for (std::size_t b = 0; b < marks.size(); ++b)
   {
     unsigned char* mark = marks[b].data();
-    ParallelFor(static_cast<vtkIdType>(marks[b].size()), grain,
-      [&](vtkIdType begin, vtkIdType end)
-      {
-        for (vtkIdType i = begin; i < end; ++i)
-        {
-          mark[i] = isSelected(b, i);
-        }
-      });
+    ParallelForEach(static_cast<vtkIdType>(marks[b].size()), grain,
+      [&](vtkIdType i) { mark[i] = isSelected(b, i); });
   }
 }
 
@@ -207,19 +201,12 @@ void MarkElements(SelectionMarks& marks, IsSelected&& isSelected)
 template <typename IsSelected>
 void MarkValues(const BlockValues& values, SelectionMarks& marks, IsSelected&& isSelected)
 {
-  constexpr vtkIdType grain = 1 << 16;
   for (std::size_t b = 0; b < values.Get().size(); ++b)
   {
     const ValueBlock& block = values.Get()[b];
     unsigned char* mark = marks[values.GetBlockNumbers()[b]].data();
-    ParallelFor(block.Size, grain,
-      [&](vtkIdType begin, vtkIdType end)
-      {
-        for (vtkIdType i = begin; i < end; ++i)
-        {
-          mark[i] = block.Contains(i) && isSelected(block, i);
-        }
-      });
+    ParallelForEach(block.Size, LightGrain,
+      [&](vtkIdType i) { mark[i] = block.Contains(i) && isSelected(block, i); });
   }
 }
 }
