@@ -29,7 +29,7 @@ SelectionMarks FindAllowed(const SelectionTask& task)
 {
   SelectionMarks allowed = MakeMarks(task.Blocks);
   SelectAll(task, allowed);
-  const auto keep = [&](SelectFunction select)
+  const auto keep = [&](SelectFunction* select)
   {
     SelectionMarks marks = MakeMarks(task.Blocks);
     select(task, marks);

@@ -96,21 +96,16 @@ private:
  * std::invalid_argument with a message for the user. Returns a warning for the user, or an empty
  * text. It may mark ghosts: the caller removes these marks.
  */
-using SelectFunction = std::string (*)(const SelectionTask& task, SelectionMarks& marks);
+using SelectFunction = std::string(const SelectionTask& task, SelectionMarks& marks);
 
-///@{
 /// Strategies that others use, too.
-std::string SelectAll(const SelectionTask& task, SelectionMarks& marks);
-std::string SelectBoundary(const SelectionTask& task, SelectionMarks& marks);
-std::string SelectByCriterion(const SelectionTask& task, SelectionMarks& marks);
-std::string SelectById(const SelectionTask& task, SelectionMarks& marks);
-///@}
+SelectFunction SelectAll, SelectBoundary, SelectByCriterion, SelectById;
 
 /// A row of the table of strategies.
 struct Strategy
 {
   const char* Name;
-  SelectFunction Select;
+  SelectFunction* Select;
   bool IsForPoints;     ///< also selects points, not only cells
   const char* Selected; ///< what it selects, as a part of a sentence for users
 };

@@ -141,27 +141,10 @@ void SelectionTask::MarkGhostCells(SelectionMarks& marks) const
 }
 
 // The functions of the table, except those that Strategy.h declares.
-std::string ChangeElementType(const SelectionTask& task, SelectionMarks& marks);
-std::string SelectByCount(const SelectionTask& task, SelectionMarks& marks);
-std::string SelectByStatus(const SelectionTask& task, SelectionMarks& marks);
-std::string SelectByRules(const SelectionTask& task, SelectionMarks& marks);
-std::string SelectByType(const SelectionTask& task, SelectionMarks& marks);
-std::string SelectCurrent(const SelectionTask& task, SelectionMarks& marks);
-std::string SelectConnected(const SelectionTask& task, SelectionMarks& marks);
-std::string SelectConnectedToIds(const SelectionTask& task, SelectionMarks& marks);
-std::string SelectExpanded(const SelectionTask& task, SelectionMarks& marks);
-std::string SelectFailed(const SelectionTask& task, SelectionMarks& marks);
-std::string SelectInHalfSpaces(const SelectionTask& task, SelectionMarks& marks);
-std::string SelectInShape(const SelectionTask& task, SelectionMarks& marks);
-std::string SelectInSurface(const SelectionTask& task, SelectionMarks& marks);
-std::string SelectInShapeFile(const SelectionTask& task, SelectionMarks& marks);
-std::string SelectSet(const SelectionTask& task, SelectionMarks& marks);
-std::string SelectInverse(const SelectionTask& task, SelectionMarks& marks);
-std::string SelectUndefined(const SelectionTask& task, SelectionMarks& marks);
-std::string SelectComponent(const SelectionTask& task, SelectionMarks& marks);
-std::string SelectShrunk(const SelectionTask& task, SelectionMarks& marks);
-std::string SelectWorst(const SelectionTask& task, SelectionMarks& marks);
-std::string SelectWorstPercentage(const SelectionTask& task, SelectionMarks& marks);
+SelectFunction ChangeElementType, SelectByCount, SelectByStatus, SelectByRules, SelectByType,
+  SelectCurrent, SelectConnected, SelectConnectedToIds, SelectExpanded, SelectFailed,
+  SelectInHalfSpaces, SelectInShape, SelectInSurface, SelectInShapeFile, SelectSet, SelectInverse,
+  SelectUndefined, SelectComponent, SelectShrunk, SelectWorst, SelectWorstPercentage;
 
 //------------------------------------------------------------------------------
 const std::vector<Strategy>& GetStrategies()
