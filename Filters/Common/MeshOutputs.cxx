@@ -22,6 +22,7 @@
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -73,6 +74,13 @@ void CopyWithCellArrays(vtkDataObject* input, const NewCellArrays& arrays, vtkDa
         }
       }
     });
+}
+
+//------------------------------------------------------------------------------
+int GetNumberOfPieces(vtkInformationVector* outputs)
+{
+  return outputs->GetInformationObject(0)->Get(
+    vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES());
 }
 
 //------------------------------------------------------------------------------

@@ -36,6 +36,9 @@ void CopyDataSets(vtkDataObject* input, vtkDataObject* output, const ChangeDataS
 /// Makes @a output a shallow copy of @a input with additional cell arrays.
 void CopyWithCellArrays(vtkDataObject* input, const NewCellArrays& arrays, vtkDataObject* output);
 
+/// The number of pieces in which the pipeline works, which may exceed that of the processes.
+int GetNumberOfPieces(vtkInformationVector* outputs);
+
 /// For RequestDataObject: creates an output of this type (VTK_POLY_DATA, ...) unless it exists.
 void MakeOutput(int type, int port, vtkInformationVector* outputVector);
 

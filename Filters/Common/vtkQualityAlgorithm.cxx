@@ -2,10 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkQualityAlgorithm.h"
 
+#include "ControllerReducer.h"
 #include "Criteria/Evaluation.h"
+#include "MeshOutputs.h"
 #include "PropertyValues.h"
 
 #include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+
+#include <algorithm>
 
 //------------------------------------------------------------------------------
 void vtkQualityAlgorithm::SetEvaluationOptions(const vtkQualityAlgorithm* other)
@@ -36,5 +42,21 @@ camaron::EvaluationOptions vtkQualityAlgorithm::GetEvaluationOptions() const
   options.DegeneracyTolerance = this->DegeneracyTolerance;
   options.ConvexityTolerance = this->ConvexityTolerance;
   options.PlanarityTolerance = this->PlanarityTolerance;
+  options.Angles =
+    this->AngleUnits == DEGREES ? camaron::AngleUnit::Degrees : camaron::AngleUnit::Radians;
   return options;
+}
+
+//------------------------------------------------------------------------------
+void vtkQualityAlgorithm::RequestGhostCells(
+  vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  if (camaron::GetNumberOfPieces(outputs) > camaron::ControllerReducer().GetNumberOfProcesses())
+  {
+    const int wanted =
+      outputs->GetInformationObject(0)->Get(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS());
+    inputs[0]->GetInformationObject(0)->Set(
+      Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), std::max(1, wanted));
+  }
 }

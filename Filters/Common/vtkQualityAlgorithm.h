@@ -69,6 +69,19 @@ public:
   /// Takes all these options from another filter.
   void SetEvaluationOptions(const vtkQualityAlgorithm* other);
 
+  /// Values of AngleUnits.
+  enum AngleUnitsType
+  {
+    DEGREES = 0,
+    RADIANS = 1
+  };
+  /// Unit of plane angles, DEGREES (default) or RADIANS. Solid angles are always in steradians.
+  vtkSetClampMacro(AngleUnits, int, DEGREES, RADIANS);
+
+  /// Add a mask to each array of a criterion, with the reason why a value is undefined; see
+  /// vtkElementQuality. Default: off.
+  vtkSetMacro(WriteUndefinedMask, bool);
+
 protected:
   vtkQualityAlgorithm() = default;
   ~vtkQualityAlgorithm() override = default;
@@ -77,6 +90,12 @@ protected:
 
   /// The options for Core. Throws std::invalid_argument if one is out of its range.
   camaron::EvaluationOptions GetEvaluationOptions() const;
+
+  /// For RequestUpdateExtent: requests a layer of ghost cells if some pieces do not exist at the
+  /// same time as this one. Otherwise none are needed.
+  static void RequestGhostCells(vtkInformationVector** inputs, vtkInformationVector* outputs);
+
+  bool WriteUndefinedMask = false;
 
 private:
   vtkQualityAlgorithm(const vtkQualityAlgorithm&) = delete;
@@ -87,6 +106,7 @@ private:
   double ConvexityTolerance = 1e-4;
   double PlanarityTolerance = 0.1;
   bool ConnectBlocks = false;
+  int AngleUnits = DEGREES;
 };
 
 #endif

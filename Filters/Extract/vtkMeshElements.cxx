@@ -16,7 +16,6 @@
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
-#include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
@@ -154,36 +153,24 @@ int vtkMeshElements::RequestDataObject(
 int vtkMeshElements::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  using Pipeline = vtkStreamingDemandDrivenPipeline;
-  vtkInformation* inInfo = inputVector[0]->GetInformationObject(0);
-  vtkInformation* outInfo = outputVector->GetInformationObject(0);
-  // Ghost cells are only needed if some pieces do not exist at the same time as this one.
-  if (outInfo->Get(Pipeline::UPDATE_NUMBER_OF_PIECES()) >
-    camaron::ControllerReducer().GetNumberOfProcesses())
-  {
-    inInfo->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(),
-      std::max(1, outInfo->Get(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS())));
-  }
+  RequestGhostCells(inputVector, outputVector);
   return 1;
 }
 
 //------------------------------------------------------------------------------
 void vtkMeshElements::TakeElements(vtkDataObject* input, vtkInformationVector* outputVector)
 {
-  camaron::EvaluationOptions common = this->GetEvaluationOptions();
-  common.Angles =
-    this->AngleUnits == DEGREES ? camaron::AngleUnit::Degrees : camaron::AngleUnit::Radians;
+  const camaron::EvaluationOptions common = this->GetEvaluationOptions();
   camaron::ControllerReducer reducer;
   // After an abort the pipeline executes the filter again for each of the other ports.
   camaron::CheckAbortOnAllRanks(this, 0, reducer);
-  const int numberOfPieces = outputVector->GetInformationObject(0)->Get(
-    vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES());
   std::vector<camaron::DataSetLeaf> leaves = camaron::GetMeshes(input, reducer);
   for (camaron::DataSetLeaf& leaf : leaves)
   {
     leaf.Data = camaron::WithoutStrips(leaf.Data);
   }
-  camaron::DistributedMesh pieces(leaves, common, numberOfPieces, reducer);
+  camaron::DistributedMesh pieces(
+    leaves, common, camaron::GetNumberOfPieces(outputVector), reducer);
   if (this->GetConnectBlocks())
   {
     pieces.ConnectBlocks();

@@ -77,19 +77,6 @@ public:
   /// coordinates. 0 (default): 8 times the machine epsilon of the coordinates.
   vtkSetClampMacro(MergeTolerance, double, 0.0, VTK_DOUBLE_MAX);
 
-  /// Values of AngleUnits.
-  enum AngleUnitsType
-  {
-    DEGREES = 0,
-    RADIANS = 1
-  };
-  /// Unit of plane angles. Default: DEGREES.
-  vtkSetClampMacro(AngleUnits, int, DEGREES, RADIANS);
-
-  /// Add a mask array for each array of real numbers, with the reason why a value is undefined; see
-  /// vtkElementQuality. Default: off.
-  vtkSetMacro(WriteUndefinedMask, bool);
-
   vtkMTimeType GetMTime() override;
 
 protected:
@@ -110,8 +97,6 @@ private:
   vtkNew<vtkDataArraySelection> FaceArrays, EdgeArrays, VertexArrays;
   bool WorstOfCells = false;
   double MergeTolerance = 0;
-  int AngleUnits = DEGREES;
-  bool WriteUndefinedMask = false;
 };
 
 #endif

@@ -20,7 +20,6 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
-#include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkUnsignedShortArray.h"
 
 #include <vector>
@@ -70,19 +69,12 @@ int vtkMeshSurface::RequestData(
   try
   {
     camaron::ControllerReducer reducer;
-    const int numberOfPieces = outputVector->GetInformationObject(0)->Get(
-      vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES());
     std::vector<camaron::DataSetLeaf> leaves = camaron::GetMeshes(input, reducer);
-    std::vector<vtkSmartPointer<vtkDataSet>> withoutStrips;
     for (camaron::DataSetLeaf& leaf : leaves)
     {
-      if (this->Triangulate)
-      {
-        withoutStrips.push_back(camaron::WithoutStrips(leaf.Data));
-        leaf.Data = withoutStrips.back();
-      }
+      leaf.Data = this->Triangulate ? camaron::WithoutStrips(leaf.Data) : leaf.Data;
     }
-    camaron::DistributedMesh pieces(leaves, {}, numberOfPieces, reducer);
+    camaron::DistributedMesh pieces(leaves, {}, camaron::GetNumberOfPieces(outputVector), reducer);
     camaron::CheckAbortOnAllRanks(this, 0.3, reducer);
     pieces.Link();
     camaron::CheckAbortOnAllRanks(this, 0.6, reducer);

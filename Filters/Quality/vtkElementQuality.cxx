@@ -26,7 +26,6 @@
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkSMPTools.h"
-#include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
@@ -179,16 +178,9 @@ bool vtkElementQuality::NeedsNeighbors()
 int vtkElementQuality::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  using Pipeline = vtkStreamingDemandDrivenPipeline;
-  vtkInformation* outInfo = outputVector->GetInformationObject(0);
-  vtkInformation* inInfo = inputVector[0]->GetInformationObject(0);
-  // Ghost cells are only needed if some pieces do not exist at the same time as this one.
-  if (this->NeedsNeighbors() &&
-    outInfo->Get(Pipeline::UPDATE_NUMBER_OF_PIECES()) >
-      camaron::ControllerReducer().GetNumberOfProcesses())
+  if (this->NeedsNeighbors())
   {
-    inInfo->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(),
-      std::max(1, outInfo->Get(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS())));
+    RequestGhostCells(inputVector, outputVector);
   }
   return 1;
 }
@@ -218,8 +210,6 @@ camaron::EvaluationOptions vtkElementQuality::GetOptions(
   const std::vector<const camaron::Criterion*>& criteria) const
 {
   camaron::EvaluationOptions options = this->GetEvaluationOptions();
-  options.Angles =
-    this->AngleUnits == DEGREES ? camaron::AngleUnit::Degrees : camaron::AngleUnit::Radians;
   options.ChecksStarShape = (camaron::GetNeeds(criteria) & camaron::NeedsStarShape) != 0;
   return options;
 }
@@ -359,9 +349,7 @@ int vtkElementQuality::RequestData(
   output->ShallowCopy(input);
   try
   {
-    const int numberOfPieces = outputVector->GetInformationObject(0)->Get(
-      vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES());
-    this->EvaluateMesh(input, output, criteria, numberOfPieces);
+    this->EvaluateMesh(input, output, criteria, camaron::GetNumberOfPieces(outputVector));
   }
   catch (...)
   {

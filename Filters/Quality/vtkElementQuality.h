@@ -65,13 +65,6 @@ public:
   static vtkElementQuality* New();
   vtkTypeMacro(vtkElementQuality, vtkQualityAlgorithm);
 
-  /// Values of AngleUnits.
-  enum AngleUnitsType
-  {
-    DEGREES = 0,
-    RADIANS = 1
-  };
-
   /// Value of Preset that means "the ticked criteria".
   static const char* TickedCriteria() { return "Ticked criteria"; }
 
@@ -93,12 +86,6 @@ public:
   /// All valid values of Preset.
   vtkStringArray* GetPresetNames() { return this->PresetNames; }
   ///@}
-
-  /// Unit of plane angles, DEGREES (default) or RADIANS. Solid angles are always in steradians.
-  vtkSetClampMacro(AngleUnits, int, DEGREES, RADIANS);
-
-  /// Add a mask array per criterion with the reason why a value is undefined. Default: off.
-  vtkSetMacro(WriteUndefinedMask, bool);
 
   /// Estimated time in seconds to evaluate the chosen criteria for the present input on this
   /// process. 0 before the input has executed.
@@ -139,8 +126,6 @@ private:
   vtkNew<vtkDataArraySelection> Criteria;
   const vtkSmartPointer<vtkStringArray> PresetNames;
   std::string Preset = TickedCriteria();
-  int AngleUnits = DEGREES;
-  bool WriteUndefinedMask = false;
   std::unique_ptr<camaron::EvaluatedArrays> Known;
   /// Number of points in the lists of the polygons, the tetrahedra and the other polyhedra; see
   /// camaron::GroupCorners.

@@ -5,6 +5,7 @@
 #include "AcceptableRanges.h"
 #include "ControllerReducer.h"
 #include "Grouping.h"
+#include "MeshOutputs.h"
 #include "PropertyValues.h"
 #include "QualityRegions.h"
 #include "RequestFailure.h"
@@ -15,7 +16,6 @@
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
-#include "vtkStreamingDemandDrivenPipeline.h"
 
 vtkStandardNewMacro(vtkQualityRegions);
 
@@ -83,10 +83,8 @@ int vtkQualityRegions::RequestData(
     camaron::CheckNumber("Number Of Regions", this->NumberOfRegions, 0);
     camaron::ControllerReducer reducer;
     const camaron::ElementBlocks blocks(inputs.Mesh, reducer);
-    const camaron::SelectionTask task(*this, inputs, blocks,
-      outputVector->GetInformationObject(0)->Get(
-        vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES()),
-      reducer);
+    const camaron::SelectionTask task(
+      *this, inputs, blocks, camaron::GetNumberOfPieces(outputVector), reducer);
     camaron::RegionFinder finder(task, this->IncludeUndefined);
     camaron::CheckAbortOnAllRanks(this, 0.2, reducer);
     const camaron::QualityRegions regions = finder.Find(this->NumberOfRegions);

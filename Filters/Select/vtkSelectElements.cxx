@@ -20,7 +20,6 @@
 #include "vtkObjectFactory.h"
 #include "vtkSelection.h"
 #include "vtkSelectionNode.h"
-#include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
@@ -167,11 +166,10 @@ int vtkSelectElements::RequestData(
   {
     camaron::ControllerReducer reducer;
     camaron::ElementBlocks blocks(input, reducer, camaron::ParseElementKind(this->ElementType));
-    const int numberOfPieces = outputVector->GetInformationObject(0)->Get(
-      vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES());
     const camaron::SelectionInputs inputs = { input, vtkSelection::GetData(inputVector[1]),
       vtkDataObject::GetData(inputVector[2]), vtkDataObject::GetData(inputVector[3]), this };
-    camaron::SelectionTask task(*this, inputs, blocks, numberOfPieces, reducer);
+    camaron::SelectionTask task(
+      *this, inputs, blocks, camaron::GetNumberOfPieces(outputVector), reducer);
     camaron::CheckAbortOnAllRanks(this, 0.1, reducer);
     camaron::SelectionMarks marks = this->Select(task, blocks);
     camaron::CheckAbortOnAllRanks(this, 0.8, reducer);
