@@ -262,42 +262,36 @@ namespace
 constexpr std::size_t MaxFileSize = 1 << 20; // larger files are not what the user meant
 
 //------------------------------------------------------------------------------
-// A zero byte and the text, or an error message, which does not begin with a zero byte.
 std::vector<char> ReadHere(const std::string& path, const std::string& what)
 {
+  std::error_code failure; // ignored: opening the file reports it
+  if (std::filesystem::is_other(std::filesystem::status(path, failure)))
+  {
+    throw std::runtime_error(
+      GetFileName(path) + ": expected " + what + ", found a pipe or a device");
+  }
   MappedFile file;
   ScanError error;
-  std::error_code failure; // ignored: opening the file reports it
-  const std::filesystem::file_status status = std::filesystem::status(path, failure);
-  if (std::filesystem::is_other(status))
+  if (!file.Open(path, error))
   {
-    error = { ErrorKind::NotThisFormat,
-      GetFileName(path) + ": expected " + what + ", found a pipe or a device" };
+    throw std::runtime_error(error.Message);
   }
-  else if (file.Open(path, error) && file.size() > MaxFileSize)
+  if (file.size() > MaxFileSize)
   {
-    error = { ErrorKind::NotThisFormat, file.GetName() + ": the file is too large for " + what };
+    throw std::runtime_error(file.GetName() + ": the file is too large for " + what);
   }
-  if (error)
-  {
-    return { error.Message.begin(), error.Message.end() };
-  }
-  std::vector<char> bytes(1, '\0');
-  bytes.insert(bytes.end(), file.begin(), file.end());
-  return bytes;
+  return { file.begin(), file.end() };
 }
 }
 
 //------------------------------------------------------------------------------
 std::string ReadSmallFile(const std::string& path, const std::string& what, Reducer& reducer)
 {
+  std::vector<char> bytes;
+  RunCollectively(reducer,
+    [&] { bytes = reducer.GetProcess() == 0 ? ReadHere(path, what) : std::vector<char>(); });
   std::vector<std::size_t> sizes;
-  const std::vector<char> bytes =
-    reducer.Gather(reducer.GetProcess() == 0 ? ReadHere(path, what) : std::vector<char>(), sizes);
-  if (bytes.empty() || bytes[0] != '\0')
-  {
-    throw std::runtime_error(std::string(bytes.begin(), bytes.end()));
-  }
-  return { bytes.begin() + 1, bytes.end() };
+  bytes = reducer.Gather(bytes, sizes);
+  return { bytes.begin(), bytes.end() };
 }
 }
