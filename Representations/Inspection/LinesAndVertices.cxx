@@ -48,17 +48,6 @@ bool IsLine(int type)
 }
 
 //------------------------------------------------------------------------------
-void AddCells(vtkUnstructuredGrid* grid, const std::vector<vtkIdType>& ids, vtkCellArray* cells)
-{
-  vtkNew<vtkIdList> points;
-  for (const vtkIdType id : ids)
-  {
-    grid->GetCellPoints(id, points);
-    cells->InsertNextCell(points);
-  }
-}
-
-//------------------------------------------------------------------------------
 vtkSmartPointer<vtkUnstructuredGrid> WithPointIds(vtkUnstructuredGrid* grid)
 {
   auto copy = vtkSmartPointer<vtkUnstructuredGrid>::New();
@@ -68,7 +57,7 @@ vtkSmartPointer<vtkUnstructuredGrid> WithPointIds(vtkUnstructuredGrid* grid)
 }
 
 //------------------------------------------------------------------------------
-// Lines as lists of points, of which those after the points of the grid are new.
+// Cells as lists of points. Those of curves have new ones, after the points of the grid.
 class LineBuilder
 {
 public:
@@ -210,9 +199,9 @@ void LinesAndVertices::Find(const InspectionStyle& style)
     return;
   }
   vtkNew<vtkCellArray> vertices, lines;
-  AddCells(this->Grid, drawn[0], vertices);
   const vtkSmartPointer<vtkUnstructuredGrid> grid = WithPointIds(this->Grid);
   LineBuilder builder(grid, style.SubdivisionLevel);
+  builder.Add(drawn[0], vertices);
   builder.Add(drawn[1], lines);
   const vtkSmartPointer<vtkUnstructuredGrid> withPoints = builder.GetGrid();
   this->Cells->SetPoints(withPoints->GetPoints());

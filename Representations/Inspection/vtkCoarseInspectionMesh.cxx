@@ -8,6 +8,7 @@
 #include "Drawing/CoarseMesh.h"
 #include "Mesh/MeshTopology.h"
 
+#include "vtkAppendFilter.h"
 #include "vtkCellData.h"
 #include "vtkCellType.h"
 #include "vtkFieldData.h"
@@ -15,6 +16,7 @@
 #include "vtkInformation.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkOutlineSource.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkTypeUInt64Array.h"
@@ -32,26 +34,13 @@ namespace
 //------------------------------------------------------------------------------
 void MakeOutline(const std::array<double, 6>& bounds, vtkUnstructuredGrid* output)
 {
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  for (int corner = 0; corner < 8; ++corner)
-  {
-    points->InsertNextPoint(
-      bounds[corner & 1], bounds[2 + (corner >> 1 & 1)], bounds[4 + (corner >> 2 & 1)]);
-  }
-  output->SetPoints(points);
-  output->Allocate(12);
-  for (vtkIdType corner = 0; corner < 8; ++corner)
-  {
-    for (const vtkIdType axis : { 1, 2, 4 })
-    {
-      if (!(corner & axis))
-      {
-        const vtkIdType ends[2] = { corner, corner | axis };
-        output->InsertNextCell(VTK_LINE, 2, ends);
-      }
-    }
-  }
+  vtkNew<vtkOutlineSource> box;
+  box->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  box->SetBounds(bounds.data());
+  vtkNew<vtkAppendFilter> lines;
+  lines->SetInputConnection(box->GetOutputPort());
+  lines->Update();
+  output->CopyStructure(lines->GetOutput());
 }
 
 //------------------------------------------------------------------------------
