@@ -10,12 +10,10 @@
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkDataSetAttributes.h"
-#include "vtkMath.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <stdexcept>
 
 namespace camaron
 {
@@ -48,52 +46,7 @@ double FindMean(const std::vector<Sample>& samples)
 }
 
 //------------------------------------------------------------------------------
-double FindGradient(const std::vector<Sample>& samples)
-{
-  Sample mean = { 0, 0, 0, 0 };
-  for (const Sample& sample : samples)
-  {
-    for (int i = 0; i < 4; ++i)
-    {
-      mean[i] += sample[i] / static_cast<double>(samples.size());
-    }
-  }
-  double matrix[3][3] = {}, right[3] = {}, vectors[3][3];
-  for (const Sample& sample : samples)
-  {
-    for (int i = 0; i < 3; ++i)
-    {
-      right[i] += (sample[i] - mean[i]) * (sample[3] - mean[3]);
-      for (int j = 0; j < 3; ++j)
-      {
-        matrix[i][j] += (sample[i] - mean[i]) * (sample[j] - mean[j]);
-      }
-    }
-  }
-  const double trace = matrix[0][0] + matrix[1][1] + matrix[2][2];
-  if (!(trace > 0) || !std::isfinite(trace + right[0] + right[1] + right[2]))
-  {
-    return NaN;
-  }
-  double* rows[3] = { matrix[0], matrix[1], matrix[2] };
-  double* columns[3] = { vectors[0], vectors[1], vectors[2] };
-  double extents[3]; // squared, the largest first
-  vtkMath::Jacobi(rows, extents, columns);
-  // Directions in which the points do not extend, such as the normal of a polygon, do not
-  // contribute to the gradient.
-  constexpr double flat = 1e-12; // squared ratio of extents
-  double length = 0;
-  for (int i = 0; i < 3; ++i)
-  {
-    const double along =
-      vectors[0][i] * right[0] + vectors[1][i] * right[1] + vectors[2][i] * right[2];
-    length = extents[i] > flat * extents[0] ? std::hypot(length, along / extents[i]) : length;
-  }
-  return length;
-}
-
-//------------------------------------------------------------------------------
-std::vector<double> FromPoints(vtkDataSet* data, vtkDataArray* array, bool takesGradient)
+std::vector<double> FromPoints(vtkDataSet* data, vtkDataArray* array)
 {
   const vtkSmartPointer<vtkDataSet> mesh = AsMesh(data);
   const MeshView view(mesh);
@@ -113,7 +66,7 @@ std::vector<double> FromPoints(vtkDataSet* data, vtkDataArray* array, bool takes
         }
         // The order of points in the cell may depend on how the mesh was split.
         std::sort(samples.begin(), samples.end());
-        values[cell] = takesGradient ? FindGradient(samples) : FindMean(samples);
+        values[cell] = FindMean(samples);
       }
     });
   return values;
@@ -132,14 +85,9 @@ std::vector<double> FromCells(vtkDataArray* array)
 }
 
 //------------------------------------------------------------------------------
-CellField::CellField(const ElementBlocks& blocks, const std::string& name, bool isOfPoints,
-  bool takesGradient, Reducer& reducer)
+CellField::CellField(
+  const ElementBlocks& blocks, const std::string& name, bool isOfPoints, Reducer& reducer)
 {
-  if (takesGradient && !isOfPoints)
-  {
-    throw std::invalid_argument(
-      "gradients need a point array; Cell Data To Point Data creates one from a cell array");
-  }
   std::size_t numberOfArrays = 0;
   for (const ElementBlock& block : blocks.Get())
   {
@@ -149,7 +97,7 @@ CellField::CellField(const ElementBlocks& blocks, const std::string& name, bool 
     numberOfArrays += array != nullptr;
     this->Rests = this->Rests || (array && !GetRests(array).empty());
     this->Values.push_back(!array ? std::vector<double>()
-        : isOfPoints              ? FromPoints(block.Data, array, takesGradient)
+        : isOfPoints              ? FromPoints(block.Data, array)
                                   : FromCells(array));
   }
   blocks.RequireAny(numberOfArrays,

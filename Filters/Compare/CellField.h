@@ -5,11 +5,8 @@
  * @brief A field of a simulation as one value per cell.
  *
  * Fields with several components contribute their magnitude. The value of a point field in a cell
- * is the mean of the values at the points of the cell or, if requested, the magnitude of the
- * gradient: that of the linear function that fits the values at the points best in the
- * least-squares sense. Both depend on the cell alone, so neither on the partition of the mesh nor
- * on the order of the points. The gradient of planar cells is the gradient within their plane; it
- * is NaN if all points of the cell coincide.
+ * is the mean of the values at the points of the cell. It depends neither on the partition of the
+ * mesh nor on the order of the points.
  */
 #ifndef camaron_CellField_h
 #define camaron_CellField_h
@@ -24,10 +21,9 @@ namespace camaron
 class CellField
 {
 public:
-  /// Collective. @a takesGradient requires a point field (@a isOfPoints). Throws
-  /// std::invalid_argument on all processes if no process has the array.
-  CellField(const ElementBlocks& blocks, const std::string& name, bool isOfPoints,
-    bool takesGradient, Reducer& reducer);
+  /// Collective. Throws std::invalid_argument on all processes if no process has the array.
+  CellField(
+    const ElementBlocks& blocks, const std::string& name, bool isOfPoints, Reducer& reducer);
 
   /// For every block one value per cell; empty for blocks without the array.
   const std::vector<std::vector<double>>& Get() const { return this->Values; }

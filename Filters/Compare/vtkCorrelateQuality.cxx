@@ -366,8 +366,8 @@ void vtkCorrelateQuality::AddRows(
   const camaron::ElementBlocks blocks(input, reducer);
   camaron::Grouping groups(this->GroupBy, this->GroupArray, blocks, reducer);
   const auto [isOfPoints, name] = ChooseField(this->GetInputArrayInformation(0), blocks, reducer);
-  const std::string fieldName = name + (this->Gradient ? "_Gradient" : "_Cells");
-  const camaron::CellField field(blocks, name, isOfPoints, this->Gradient, reducer);
+  const std::string fieldName = name + "_Cells";
+  const camaron::CellField field(blocks, name, isOfPoints, reducer);
   this->NoteRounding(name, field.HasRests(), reducer);
   std::vector<std::string> missing;
   const std::vector<camaron::StatisticsArray> arrays =

@@ -14,7 +14,7 @@
  * 0. vtkTable with one row per array and group: Pearson's and Spearman's correlation with the
  *    field, and how the field differs in cells outside the acceptable range;
  *    Documentation/correlation.md lists the columns
- * 1. the mesh with the field as the cell array "<field>_Cells" or "<field>_Gradient"
+ * 1. the mesh with the field as the cell array "<field>_Cells"
  *
  * Parallel: the table is complete on process 0. Every number is the same, to the last bit, for any
  * number of threads and processes. No process gathers all values: each ranks a range of them.
@@ -30,12 +30,6 @@ public:
   static vtkCorrelateQuality* New();
   vtkTypeMacro(vtkCorrelateQuality, vtkQualityTables);
 
-  ///@{
-  /// Use the magnitude of the gradient instead of the field. Requires a point field. Default: off.
-  vtkSetMacro(Gradient, bool);
-  vtkGetMacro(Gradient, bool);
-  ///@}
-
 protected:
   vtkCorrelateQuality();
   ~vtkCorrelateQuality() override = default;
@@ -49,8 +43,6 @@ protected:
 private:
   vtkCorrelateQuality(const vtkCorrelateQuality&) = delete;
   void operator=(const vtkCorrelateQuality&) = delete;
-
-  bool Gradient = false;
 };
 
 #endif

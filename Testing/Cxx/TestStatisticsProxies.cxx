@@ -144,7 +144,6 @@ TEST(CorrelateQualityProxy, AgreesWithClass)
   vtkNew<vtkCorrelateQuality> filter;
   EXPECT_EQ(ReadDefault(proxy, "Preset"), filter->GetPreset());
   EXPECT_EQ(ReadDefault(proxy, "RangesFile"), filter->GetRangesFile());
-  EXPECT_EQ(ReadDefault(proxy, "Gradient"), std::to_string(filter->GetGradient()));
   EXPECT_EQ(ReadDefault(proxy, "GroupBy"), filter->GetGroupBy());
   EXPECT_EQ(ReadChoices(proxy, "GroupBy"), ReadChoices("QualityStatistics", "GroupBy"));
   EXPECT_EQ(ReadDefault(proxy, "AllTimeSteps"), std::to_string(filter->GetAllTimeSteps()));
