@@ -20,8 +20,6 @@
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 #include "vtkPlane.h"
-#include "vtkPointSet.h"
-#include "vtkPoints.h"
 #include "vtkSphere.h"
 
 #include <algorithm>
@@ -35,48 +33,6 @@ namespace
 {
 constexpr double RelativeTolerance = 1e-12; // of the diagonal of the mesh
 constexpr std::size_t NumbersPerPlane = 6;  // a point and a normal
-
-//------------------------------------------------------------------------------
-// The unit in which all lengths are measured. It differs from 1 for meshes that are so large or
-// small that squares of lengths would overflow or underflow.
-struct MeshUnit
-{
-  int Exponent = 0; ///< the unit is 2 to this power
-
-  double Scale(double length) const { return std::ldexp(length, -this->Exponent); }
-  Vector Scale(const Vector& place) const { return TimesPowerOfTwo(place, -this->Exponent); }
-  HalfSpace Scale(const HalfSpace& side) const { return { side.Normal, this->Scale(side.Offset) }; }
-  std::vector<HalfSpace> Scale(std::vector<HalfSpace> sides) const
-  {
-    for (HalfSpace& side : sides)
-    {
-      side = this->Scale(side);
-    }
-    return sides;
-  }
-  /// The mesh itself, or a copy with scaled points.
-  vtkSmartPointer<vtkDataSet> Scale(vtkDataSet* mesh) const
-  {
-    auto* const points = vtkPointSet::SafeDownCast(mesh);
-    if (this->Exponent == 0 || !points)
-    {
-      return mesh;
-    }
-    const auto copy = vtkSmartPointer<vtkPointSet>::Take(points->NewInstance());
-    copy->ShallowCopy(points);
-    vtkNew<vtkPoints> scaled;
-    scaled->SetDataTypeToDouble();
-    scaled->SetNumberOfPoints(mesh->GetNumberOfPoints());
-    for (vtkIdType id = 0; id < mesh->GetNumberOfPoints(); ++id)
-    {
-      double x[3];
-      points->GetPoint(id, x);
-      scaled->SetPoint(id, this->Scale(x[0]), this->Scale(x[1]), this->Scale(x[2]));
-    }
-    copy->SetPoints(scaled);
-    return copy;
-  }
-};
 
 //------------------------------------------------------------------------------
 struct PlacementName
@@ -148,9 +104,9 @@ double GetRadius(double radius)
 }
 
 //------------------------------------------------------------------------------
-// The bounds of the points of all processes. Sets the unit that suits them and returns the bounds
-// in it.
-Bounds FindBounds(const SelectionTask& task, MeshUnit& unit)
+// The bounds of the points of all processes. Throws if squares of lengths could overflow or
+// underflow.
+Bounds FindBounds(const SelectionTask& task)
 {
   const DistributedMesh& pieces = task.GetPieces(); // collective, so also without blocks
   Bounds own;
@@ -159,11 +115,10 @@ Bounds FindBounds(const SelectionTask& task, MeshUnit& unit)
     const MeshView mesh(pieces.GetMesh(piece));
     for (vtkIdType point = 0; point < mesh.GetNumberOfPoints(); ++point)
     {
-      double x[3];
-      mesh.GetPoint(point, x);
-      if (std::isfinite(x[0]) && std::isfinite(x[1]) && std::isfinite(x[2]))
+      const Vector x = mesh.GetPoint(point);
+      if (IsFinite(x))
       {
-        own.Add(GetVector(x));
+        own.Add(x);
       }
     }
   }
@@ -175,26 +130,22 @@ Bounds FindBounds(const SelectionTask& task, MeshUnit& unit)
       all.Add(bounds);
     }
   }
-  if (!all.IsEmpty())
+  const double largest = std::max(GetLargestComponent(all.Low), GetLargestComponent(all.High));
+  if (!all.IsEmpty() && largest > 0)
   {
-    unit.Exponent =
-      GetUnitExponent(std::max(GetLargestComponent(all.Low), GetLargestComponent(all.High)));
-    all.Low = unit.Scale(all.Low);
-    all.High = unit.Scale(all.High);
+    CheckNumber("The largest coordinate of the mesh", largest, 1e-30, 1e30);
   }
   return all;
 }
 
 //------------------------------------------------------------------------------
 template <typename Solid>
-std::string MarkInside(
-  const SelectionTask& task, const Solid& solid, const MeshUnit& unit, SelectionMarks& marks)
+std::string MarkInside(const SelectionTask& task, const Solid& solid, SelectionMarks& marks)
 {
   const Placement placement = FindPlacement(task.Parameters.Placement);
   for (std::size_t piece = 0; piece < marks.size(); ++piece)
   {
-    const vtkSmartPointer<vtkDataSet> data = unit.Scale(task.GetPieces().GetMesh(piece));
-    const MeshView mesh(data);
+    const MeshView mesh(task.GetPieces().GetMesh(piece));
     if (task.HasCells())
     {
       MarkCells(mesh, solid, placement, marks[piece]);
@@ -249,13 +200,12 @@ std::vector<HalfSpace> GetSides(vtkBox* box)
 //------------------------------------------------------------------------------
 using Solid = std::variant<BallSolid, CylinderSolid, HalfSpaceSolid>;
 
-Solid MakeSolid(vtkImplicitFunction* shape, const Bounds& bounds, const MeshUnit& unit)
+Solid MakeSolid(vtkImplicitFunction* shape, const Bounds& bounds)
 {
   const double tolerance = RelativeTolerance * bounds.GetDiagonal();
   if (auto* sphere = vtkSphere::SafeDownCast(shape))
   {
-    return BallSolid(unit.Scale(GetVector(sphere->GetCenter())),
-      unit.Scale(GetRadius(sphere->GetRadius())), tolerance);
+    return BallSolid(GetVector(sphere->GetCenter()), GetRadius(sphere->GetRadius()), tolerance);
   }
   if (auto* cylinder = vtkCylinder::SafeDownCast(shape))
   {
@@ -267,12 +217,12 @@ Solid MakeSolid(vtkImplicitFunction* shape, const Bounds& bounds, const MeshUnit
     double worldCenter[4], worldAxis[4];
     toWorld->MultiplyPoint(center, worldCenter);
     toWorld->MultiplyPoint(axis, worldAxis);
-    return CylinderSolid(unit.Scale(GetVector(worldCenter)), GetVector(worldAxis),
-      unit.Scale(GetRadius(cylinder->GetRadius())), tolerance);
+    return CylinderSolid(
+      GetVector(worldCenter), GetVector(worldAxis), GetRadius(cylinder->GetRadius()), tolerance);
   }
   if (auto* box = vtkBox::SafeDownCast(shape))
   {
-    return HalfSpaceSolid(unit.Scale(GetSides(box)), bounds, tolerance);
+    return HalfSpaceSolid(GetSides(box), bounds, tolerance);
   }
   if (auto* plane = vtkPlane::SafeDownCast(shape))
   {
@@ -286,7 +236,7 @@ Solid MakeSolid(vtkImplicitFunction* shape, const Bounds& bounds, const MeshUnit
     {
       halfSpace.Offset -= value / Norm(GetVector(normal));
     }
-    return HalfSpaceSolid({ unit.Scale(halfSpace) }, bounds, tolerance);
+    return HalfSpaceSolid({ halfSpace }, bounds, tolerance);
   }
   throw std::invalid_argument(shape
       ? std::string("Shape must be a sphere, box, cylinder or plane, not a ") +
@@ -360,27 +310,18 @@ std::string MarkInSurface(const SelectionTask& task, std::vector<Simplex>&& tria
     throw std::invalid_argument(subject + " not closed: " + std::to_string(open) +
       (open == 1 ? " edge belongs" : " edges belong") + " to an odd number of polygons");
   }
-  MeshUnit unit;
-  const Bounds bounds = FindBounds(task, unit);
-  for (Simplex& triangle : triangles)
-  {
-    for (Vector& point : triangle.Points)
-    {
-      point = unit.Scale(point);
-    }
-  }
-  return MarkInside(task,
-    SurfaceSolid(std::move(triangles), RelativeTolerance * bounds.GetDiagonal()), unit, marks);
+  const Bounds bounds = FindBounds(task);
+  return MarkInside(
+    task, SurfaceSolid(std::move(triangles), RelativeTolerance * bounds.GetDiagonal()), marks);
 }
 }
 
 //------------------------------------------------------------------------------
 std::string SelectInShape(const SelectionTask& task, SelectionMarks& marks)
 {
-  MeshUnit unit;
-  const Bounds bounds = FindBounds(task, unit);
-  const Solid solid = MakeSolid(task.Parameters.Shape, bounds, unit);
-  return std::visit([&](const auto& known) { return MarkInside(task, known, unit, marks); }, solid);
+  const Bounds bounds = FindBounds(task);
+  const Solid solid = MakeSolid(task.Parameters.Shape, bounds);
+  return std::visit([&](const auto& known) { return MarkInside(task, known, marks); }, solid);
 }
 
 //------------------------------------------------------------------------------
@@ -397,15 +338,14 @@ std::string SelectInHalfSpaces(const SelectionTask& task, SelectionMarks& marks)
       "Planes: each plane is a point and a normal; expected a multiple of 6 numbers, found " +
       std::to_string(planes.size()));
   }
-  MeshUnit unit;
-  const Bounds bounds = FindBounds(task, unit);
+  const Bounds bounds = FindBounds(task);
   std::vector<HalfSpace> halfSpaces;
   for (std::size_t i = 0; i < planes.size(); i += NumbersPerPlane)
   {
     halfSpaces.push_back(MakeHalfSpace(GetVector(&planes[i]), GetVector(&planes[i + 3])));
   }
   const double tolerance = RelativeTolerance * bounds.GetDiagonal();
-  return MarkInside(task, HalfSpaceSolid(unit.Scale(halfSpaces), bounds, tolerance), unit, marks);
+  return MarkInside(task, HalfSpaceSolid(halfSpaces, bounds, tolerance), marks);
 }
 
 //------------------------------------------------------------------------------
@@ -433,22 +373,20 @@ std::string SelectInShapeFile(const SelectionTask& task, SelectionMarks& marks)
   {
     return MarkInSurface(task, MakeTriangles(shape.Rows), name + ": the polygons are", marks);
   }
-  MeshUnit unit;
-  const Bounds bounds = FindBounds(task, unit);
+  const Bounds bounds = FindBounds(task);
   const double tolerance = RelativeTolerance * bounds.GetDiagonal();
   if (shape.What == ShapeText::Kind::Sphere)
   {
     const std::vector<double>& row = shape.Rows[0];
-    const BallSolid ball(
-      unit.Scale(GetVector(row.data())), unit.Scale(GetRadius(row[3])), tolerance);
-    return MarkInside(task, ball, unit, marks);
+    const BallSolid ball(GetVector(row.data()), GetRadius(row[3]), tolerance);
+    return MarkInside(task, ball, marks);
   }
   std::vector<HalfSpace> halfSpaces;
   for (const std::vector<double>& row : shape.Rows)
   {
     halfSpaces.push_back(MakeHalfSpace(GetVector(row.data() + 3), GetVector(row.data())));
   }
-  return MarkInside(task, HalfSpaceSolid(unit.Scale(halfSpaces), bounds, tolerance), unit, marks);
+  return MarkInside(task, HalfSpaceSolid(halfSpaces, bounds, tolerance), marks);
 }
 
 //------------------------------------------------------------------------------
