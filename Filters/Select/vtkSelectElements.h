@@ -223,7 +223,7 @@ public:
 
   ///@{
   /// Set: path of one of OpenFOAM's sets, or of a file of zones with the name of one of them; see
-  /// camaron::ReadFoamLabels. Default: empty.
+  /// SelectSet.cxx. Default: empty.
   vtkSetStdStringFromCharMacro(SetFile);
   vtkSetStdStringFromCharMacro(SetName);
   ///@}
