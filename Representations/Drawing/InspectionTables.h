@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::InspectionTables
- * @brief The tables that a vtkMeshInspectionMapper draws from, and the selection of those that a
+ * @brief Members of vtkMeshInspectionMapper: the tables that it draws from, and which of them a
  * frame needs.
  *
  * Tables of the mesh are shared by the mappers of a representation. All methods that are not const
@@ -20,21 +20,31 @@
 #include "Isosurfaces.h"
 #include "JudgedValues.h"
 #include "PointNormals.h"
+#include "ProcessorDrawing.h"
+#include "RenderModes.h"
 #include "TextureBuffer.h"
 #include "VisibleTriangles.h"
 
-#include "vtkSmartPointer.h" // for the grid
+#include "vtkNew.h"               // for the placeholder
+#include "vtkPolyData.h"          // for the placeholder
+#include "vtkSmartPointer.h"      // for the grid
+#include "vtkUnsignedCharArray.h" // for colors
+#include "vtkUnstructuredGrid.h"  // for its bounds
 
-#include <memory> // for the shared mesh
-#include <vector> // for texture units
+#include <array>   // for bounds
+#include <map>     // for keys of shaders
+#include <memory>  // for the shared mesh
+#include <string>  // for keys of shaders
+#include <utility> // for std::move
+#include <vector>  // for texture units
 
 class vtkFloatArray;
 class vtkMapper;
+class vtkOpenGLHelper;
 class vtkOpenGLState;
 class vtkProperty;
 class vtkShaderProgram;
 class vtkTextureUnitManager;
-class vtkUnstructuredGrid;
 
 namespace camaron
 {
@@ -66,6 +76,40 @@ public:
   unsigned int VertexArray = 0;
   vtkTextureUnitManager* Units = nullptr;
 
+  vtkNew<vtkPolyData> Placeholder;
+  RenderModeCode Code;
+  std::map<vtkOpenGLHelper*, std::string> ShaderKeys;
+
+  vtkSmartPointer<vtkUnsignedCharArray> CellColors;
+  std::array<vtkMTimeType, 2> TimesOfCellColors = { { 0, 0 } }; ///< of values and color map
+
+  ProcessorDrawing Processor;
+  vtkSmartPointer<vtkUnstructuredGrid>
+    RefusedGrid; ///< a mesh that the graphics card could not draw
+  vtkMTimeType RefusedTime = 0;
+  bool IsOnProcessor() const
+  {
+    return this->Style.OnProcessor ||
+      (this->Grid && this->Grid == this->RefusedGrid &&
+        this->Grid->GetMTime() == this->RefusedTime);
+  }
+
+  /// Of the cells; computed when they have changed, as each frame asks several times.
+  const std::array<double, 6>& GetBounds()
+  {
+    DataVersion version;
+    if (this->Grid && this->Grid->GetNumberOfCells() > 0)
+    {
+      version = GetCellBoundsVersion(this->Grid);
+    }
+    if (this->BoundsVersion != version)
+    {
+      this->Bounds = GetCellBounds(this->Grid);
+      this->BoundsVersion = std::move(version);
+    }
+    return this->Bounds;
+  }
+
   /// @throw std::exception if the graphics card cannot create or store a table
   void UpdateTables(bool isPicking);
   /// Creates the normals of points if the style or the lighting needs them.
@@ -84,6 +128,8 @@ public:
 
 private:
   std::vector<int> UsedUnits;
+  std::array<double, 6> Bounds = { { 1, -1, 1, -1, 1, -1 } };
+  DataVersion BoundsVersion;
 };
 }
 

@@ -6,11 +6,12 @@
 #include "InShapeGLSL.h"
 #include "InputsGLSL.h"
 #include "InspectionArrays.h"
-#include "MeshInspectionMapperInternals.h"
+#include "InspectionTables.h"
 #include "MeshMatrices.h"
 #include "NormalLinesVS.h"
 #include "PickingGLSL.h"
 #include "PlaceGLSL.h"
+#include "vtkMeshInspectionMapper.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
@@ -138,7 +139,7 @@ bool vtkMeshInspectionMapper::GetNeedToRebuildShaders(
   vtkOpenGLHelper& helper, vtkRenderer* renderer, vtkActor* actor)
 {
   const bool base = this->Superclass::GetNeedToRebuildShaders(helper, renderer, actor);
-  Internals& self = *this->Internal;
+  InspectionTables& self = *this->Internal;
   const bool isPicking = renderer->GetSelector() != nullptr;
   const bool isPoints = &helper == &this->Primitives[PrimitivePoints];
   self.Code = GetRenderModeCode(self.GetStyleOfPicture(this, this->DrawsPoints(helper)),
@@ -168,7 +169,7 @@ void vtkMeshInspectionMapper::GetShaderTemplate(
   std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* renderer, vtkActor* actor)
 {
   this->Superclass::GetShaderTemplate(shaders, renderer, actor);
-  const Internals& self = *this->Internal;
+  const InspectionTables& self = *this->Internal;
   const bool isCap = self.Style.What == Figure::Cap;
   std::string vertex = self.Style.DrawsNormals() ? NormalLinesVS : isCap ? CapVS : FacesVS;
   vtkShaderProgram::Substitute(vertex, "//Camaron::Defines", self.Code.Defines);
@@ -262,7 +263,7 @@ void vtkMeshInspectionMapper::SetMapperShaderParameters(
   vtkOpenGLHelper& helper, vtkRenderer* renderer, vtkActor* actor)
 {
   this->Superclass::SetMapperShaderParameters(helper, renderer, actor);
-  Internals& self = *this->Internal;
+  InspectionTables& self = *this->Internal;
   vtkShaderProgram* program = helper.Program;
   const InspectionMesh& mesh = *self.Mesh;
   self.Attach(program, "triangleTable", mesh.Triangles);

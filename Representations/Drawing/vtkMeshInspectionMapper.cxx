@@ -4,8 +4,8 @@
 
 #include "Base/Parallel.h"
 #include "InspectionArrays.h"
+#include "InspectionTables.h"
 #include "LinearColors.h"
-#include "MeshInspectionMapperInternals.h"
 
 #include "vtkActor.h"
 #include "vtkAlgorithmOutput.h"
@@ -83,7 +83,7 @@ void MapSelectorPixels(vtkHardwareSelector* selector, const std::vector<unsigned
 
 //==============================================================================
 vtkMeshInspectionMapper::vtkMeshInspectionMapper()
-  : Internal(std::make_unique<Internals>())
+  : Internal(std::make_unique<InspectionTables>())
 {
 }
 
@@ -137,7 +137,7 @@ std::shared_ptr<InspectionMesh> vtkMeshInspectionMapper::GetMesh() const
 //------------------------------------------------------------------------------
 std::size_t vtkMeshInspectionMapper::GetNumberOfTriangles(bool changesWithCamera) const
 {
-  const Internals& self = *this->Internal;
+  const InspectionTables& self = *this->Internal;
   return changesWithCamera && self.IsListed ? self.Mesh->Triangles.GetNumberOfRows()
                                             : self.NumberOfTriangles;
 }
@@ -157,7 +157,7 @@ void vtkMeshInspectionMapper::SetInputDataObject(int port, vtkDataObject* data)
     return; // the representation has joined the blocks
   }
   auto* grid = vtkUnstructuredGrid::SafeDownCast(data);
-  Internals& self = *this->Internal;
+  InspectionTables& self = *this->Internal;
   if (grid != self.Grid)
   {
     self.Grid = grid;
@@ -268,7 +268,7 @@ bool vtkMeshInspectionMapper::GetNeedToRebuildBufferObjects(vtkRenderer*, vtkAct
 // VTK has to map them.
 vtkUnsignedCharArray* vtkMeshInspectionMapper::MapCells()
 {
-  Internals& self = *this->Internal;
+  InspectionTables& self = *this->Internal;
   int cellFlag = 0;
   auto* array = vtkArrayDownCast<vtkDoubleArray>(vtkAbstractMapper::GetAbstractScalars(
     self.Grid, this->ScalarMode, this->ArrayAccessMode, this->ArrayId, this->ArrayName, cellFlag));
@@ -319,7 +319,7 @@ vtkUnsignedCharArray* vtkMeshInspectionMapper::MapCells()
 //------------------------------------------------------------------------------
 void vtkMeshInspectionMapper::BuildBufferObjects(vtkRenderer* renderer, vtkActor* actor)
 {
-  Internals& self = *this->Internal;
+  InspectionTables& self = *this->Internal;
   auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
   vtkUnstructuredGrid* grid = self.Grid;
   self.Mesh->SetGrid(grid);
@@ -383,7 +383,7 @@ void vtkMeshInspectionMapper::BuildBufferObjects(vtkRenderer* renderer, vtkActor
 // colors from them.
 void vtkMeshInspectionMapper::UpdateValues()
 {
-  Internals& self = *this->Internal;
+  InspectionTables& self = *this->Internal;
   const InspectionStyle& style = self.Style;
   int cellFlag = 0;
   vtkDataArray* array = nullptr;
@@ -424,7 +424,7 @@ void vtkMeshInspectionMapper::UpdateValues()
 //------------------------------------------------------------------------------
 void vtkMeshInspectionMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
 {
-  Internals& self = *this->Internal;
+  InspectionTables& self = *this->Internal;
   if (!self.IsOnProcessor())
   {
     this->Superclass::RenderPiece(renderer, actor);
@@ -439,7 +439,7 @@ void vtkMeshInspectionMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor
 //------------------------------------------------------------------------------
 void vtkMeshInspectionMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor)
 {
-  Internals& self = *this->Internal;
+  InspectionTables& self = *this->Internal;
   if (self.NumberOfTriangles == 0)
   {
     return;
@@ -487,7 +487,7 @@ void vtkMeshInspectionMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* a
 void vtkMeshInspectionMapper::Draw(vtkRenderer* renderer, vtkActor* actor, int primitive,
   unsigned int mode, std::size_t numberOfVertices)
 {
-  Internals& self = *this->Internal;
+  InspectionTables& self = *this->Internal;
   vtkOpenGLHelper& helper = this->Primitives[primitive];
   this->UpdateShaders(helper, renderer, actor);
   if (helper.Program)

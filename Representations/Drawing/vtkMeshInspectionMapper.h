@@ -24,6 +24,7 @@
 namespace camaron
 {
 class InspectionMesh;
+class InspectionTables;
 struct InspectionStyle;
 }
 
@@ -97,8 +98,7 @@ private:
   void Draw(vtkRenderer* renderer, vtkActor* actor, int primitive, unsigned int mode,
     std::size_t numberOfVertices);
 
-  class Internals;
-  std::unique_ptr<Internals> Internal;
+  std::unique_ptr<camaron::InspectionTables> Internal;
 };
 
 #endif
