@@ -4,11 +4,13 @@
 
 #include "AcceptableRanges.h"
 #include "Base/Number.h"
-#include "CellField.h"
+#include "Base/Parallel.h"
 #include "ControllerReducer.h"
 #include "Criteria/Criterion.h"
 #include "ElementBlocks.h"
 #include "Grouping.h"
+#include "Mesh/MeshView.h"
+#include "MeshInput.h"
 #include "MeshOutputs.h"
 #include "Ranks/Collective.h"
 #include "RequestFailure.h"
@@ -18,7 +20,9 @@
 #include "TimeSteps.h"
 
 #include "vtkCellData.h"
+#include "vtkDataArray.h"
 #include "vtkDataSet.h"
+#include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -29,10 +33,115 @@
 #include "vtkTable.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
 vtkStandardNewMacro(vtkCorrelateQuality);
+
+namespace camaron
+{
+namespace
+{
+// Coordinates of a point, and the value there.
+using Sample = std::array<double, 4>;
+
+//------------------------------------------------------------------------------
+double GetMagnitude(vtkDataArray* array, vtkIdType i)
+{
+  const int size = array->GetNumberOfComponents();
+  double length = size == 1 ? array->GetComponent(i, 0) : 0;
+  for (int c = 0; c < size && size > 1; ++c)
+  {
+    length = std::hypot(length, array->GetComponent(i, c));
+  }
+  return length;
+}
+
+//------------------------------------------------------------------------------
+double FindMean(const std::vector<Sample>& samples)
+{
+  double sum = 0;
+  for (const Sample& sample : samples)
+  {
+    sum += sample[3];
+  }
+  return samples.empty() ? NaN : sum / static_cast<double>(samples.size());
+}
+
+//------------------------------------------------------------------------------
+std::vector<double> FromPoints(vtkDataSet* data, vtkDataArray* array)
+{
+  const vtkSmartPointer<vtkDataSet> mesh = AsMesh(data);
+  const MeshView view(mesh);
+  std::vector<double> values(view.GetNumberOfCells());
+  ParallelFor(view.GetNumberOfCells(), 1 << 12,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      std::vector<Sample> samples;
+      for (vtkIdType cell = begin; cell < end; ++cell)
+      {
+        const IndexRange points = view.GetCellPoints(cell);
+        samples.resize(points.Size);
+        for (vtkIdType i = 0; i < points.Size; ++i)
+        {
+          view.GetPoint(points[i], samples[i].data());
+          samples[i][3] = GetMagnitude(array, points[i]);
+        }
+        // The order of points in the cell may depend on how the mesh was split.
+        std::sort(samples.begin(), samples.end());
+        values[cell] = FindMean(samples);
+      }
+    });
+  return values;
+}
+
+//------------------------------------------------------------------------------
+std::vector<double> FromCells(vtkDataArray* array)
+{
+  std::vector<double> values(array->GetNumberOfTuples());
+  for (std::size_t i = 0; i < values.size(); ++i)
+  {
+    values[i] = GetMagnitude(array, static_cast<vtkIdType>(i));
+  }
+  return values;
+}
+
+//------------------------------------------------------------------------------
+/// A field of a simulation as one value per cell. Fields with several components contribute their
+/// magnitude. The value of a point field is the mean of the values at the points of the cell. It
+/// depends neither on the partition of the mesh nor on the order of the points.
+struct CellField
+{
+  std::vector<std::vector<double>> Values; ///< one list per block, empty without the array
+  bool HasRests = false;                   ///< some are integers that double cannot represent
+};
+
+//------------------------------------------------------------------------------
+// Collective. Throws std::invalid_argument on all processes if no process has the array.
+CellField FindCellField(
+  const ElementBlocks& blocks, const std::string& name, bool isOfPoints, Reducer& reducer)
+{
+  CellField field;
+  std::size_t numberOfArrays = 0;
+  for (const ElementBlock& block : blocks.Get())
+  {
+    vtkDataArray* array =
+      block.Data->GetAttributes(isOfPoints ? vtkDataObject::POINT : vtkDataObject::CELL)
+        ->GetArray(name.c_str());
+    numberOfArrays += array != nullptr;
+    field.HasRests = field.HasRests || (array && !GetRests(array).empty());
+    field.Values.push_back(!array ? std::vector<double>()
+        : isOfPoints              ? FromPoints(block.Data, array)
+                                  : FromCells(array));
+  }
+  blocks.RequireAny(numberOfArrays,
+    "there is no " + std::string(isOfPoints ? "point" : "cell") + " array named '" + name + "'",
+    reducer);
+  return field;
+}
+}
+}
 
 namespace
 {
@@ -49,7 +158,7 @@ struct Pairs
     this->Masks.resize(population.size());
     for (std::size_t i = 0; i < population.size(); ++i)
     {
-      const std::vector<double>& fieldValues = field.Get()[values.GetBlockNumbers()[i]];
+      const std::vector<double>& fieldValues = field.Values[values.GetBlockNumbers()[i]];
       camaron::ValueBlock quality = population[i];
       if (fieldValues.empty())
       {
@@ -313,7 +422,7 @@ camaron::NewCellArrays MakeFieldArrays(
   camaron::NewCellArrays fields;
   for (std::size_t b = 0; b < blocks.Get().size(); ++b)
   {
-    const std::vector<double>& cells = field.Get()[b];
+    const std::vector<double>& cells = field.Values[b];
     if (!cells.empty())
     {
       auto array = vtkSmartPointer<vtkDoubleArray>::New();
@@ -367,8 +476,8 @@ void vtkCorrelateQuality::AddRows(
   camaron::Grouping groups(this->GroupBy, this->GroupArray, blocks, reducer);
   const auto [isOfPoints, name] = ChooseField(this->GetInputArrayInformation(0), blocks, reducer);
   const std::string fieldName = name + "_Cells";
-  const camaron::CellField field(blocks, name, isOfPoints, reducer);
-  this->NoteRounding(name, field.HasRests(), reducer);
+  const camaron::CellField field = camaron::FindCellField(blocks, name, isOfPoints, reducer);
+  this->NoteRounding(name, field.HasRests, reducer);
   std::vector<std::string> missing;
   const std::vector<camaron::StatisticsArray> arrays =
     camaron::ChooseArrays(camaron::FindArrays(blocks, reducer), this->Arrays, missing);

@@ -6,9 +6,10 @@
  * solution.
  *
  * Input: any vtkDataSet or composite data set with cell arrays, and the field, a cell or point
- * array chosen with SetInputArrayToProcess(0, ...). A point field is converted to cells, see
- * camaron::CellField. By default the filter evaluates every cell array that is named like a quality
- * criterion; see AddArray(). Ghost cells are ignored.
+ * array chosen with SetInputArrayToProcess(0, ...). Fields with several components contribute their
+ * magnitude, and point fields the mean of the values at the points of each cell. By default the
+ * filter evaluates every cell array that is named like a quality criterion; see AddArray(). Ghost
+ * cells are ignored.
  *
  * Outputs:
  * 0. vtkTable with one row per array and group: Pearson's and Spearman's correlation with the
