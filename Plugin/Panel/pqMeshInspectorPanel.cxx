@@ -182,9 +182,6 @@ pqMeshInspectorPanel::pqMeshInspectorPanel(QWidget* parent)
 }
 
 //------------------------------------------------------------------------------
-pqMeshInspectorPanel::~pqMeshInspectorPanel() = default;
-
-//------------------------------------------------------------------------------
 void pqMeshInspectorPanel::raiseFromMenu()
 {
   QObject::connect(this, &QDockWidget::visibilityChanged, this,

@@ -24,14 +24,11 @@ class pqMeshInspectorPanel : public QDockWidget
 
 public:
   Q_INVOKABLE explicit pqMeshInspectorPanel(QWidget* parent = nullptr); // for tests
-  ~pqMeshInspectorPanel() override;
 
   /// Waits for the window to be shown and to be wide.
   bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
-  Q_DISABLE_COPY(pqMeshInspectorPanel)
-
   /// Lets the menu View bring it to the front if it is behind another dock, instead of closing it.
   void raiseFromMenu();
 

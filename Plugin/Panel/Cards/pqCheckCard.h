@@ -45,8 +45,6 @@ protected:
   void recolor() override;
 
 private:
-  Q_DISABLE_COPY(pqCheckCard)
-
   /// The rules of the editor and the preset as one text.
   QString rules() const;
 

@@ -34,8 +34,6 @@ protected:
   void refresh() override;
 
 private:
-  Q_DISABLE_COPY(pqCriteriaCard)
-
   QString elementType() const;
   void fillPresets();
   void fillTree();

@@ -67,8 +67,6 @@ Q_SIGNALS:
   void failingChosen(const QString& name);
 
 private:
-  Q_DISABLE_COPY(pqCriteriaTree)
-
   /// Items of criteria, not of families.
   QList<QTreeWidgetItem*> items() const;
 

@@ -32,8 +32,6 @@ protected:
   void recolor() override;
 
 private:
-  Q_DISABLE_COPY(pqElementCard)
-
   void goToText();
   void goTo(qint64 id);
   void showNeighbors();

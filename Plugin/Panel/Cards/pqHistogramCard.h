@@ -35,8 +35,6 @@ protected:
   void recolor() override;
 
 private:
-  Q_DISABLE_COPY(pqHistogramCard)
-
   void makeToolBar();
   void fillCriteria();
   void fillGroups();

@@ -102,8 +102,6 @@ protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
-  Q_DISABLE_COPY(pqInspectorCard)
-
   pqInspectorState* State;
   pqExpanderButton* Button;
   QWidget* Content;

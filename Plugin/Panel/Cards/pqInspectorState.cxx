@@ -93,9 +93,6 @@ pqInspectorState::pqInspectorState(const pqMeshServices& services, QObject* pare
 }
 
 //------------------------------------------------------------------------------
-pqInspectorState::~pqInspectorState() = default;
-
-//------------------------------------------------------------------------------
 void pqInspectorState::followMesh()
 {
   const bool isOther = this->Services.Mesh->elementType() != this->ElementType;

@@ -20,7 +20,6 @@ class pqInspectorState : public QObject
 
 public:
   pqInspectorState(const pqMeshServices& services, QObject* parent);
-  ~pqInspectorState() override;
 
   const pqMeshServices& services() const { return this->Services; }
 
@@ -101,8 +100,6 @@ Q_SIGNALS:
   void elementChosen(qint64 id, const QString& idSpace);
 
 private:
-  Q_DISABLE_COPY(pqInspectorState)
-
   void followMesh();
 
   /// Another criterion colors the mesh, by ParaView's own means or by undo.

@@ -41,8 +41,6 @@ Q_SIGNALS:
   void resetRequested();
 
 private:
-  Q_DISABLE_COPY(pqLimitFields)
-
   QLineEdit* addField(const char* name, const QString& tip);
   void finish();
   void showTexts();

@@ -29,8 +29,6 @@ protected:
   void recolor() override;
 
 private:
-  Q_DISABLE_COPY(pqMeshCard)
-
   void validate();
   void showValidity();
   void selectDefect(const QString& link);

@@ -26,8 +26,6 @@ protected:
   void refresh() override;
 
 private:
-  Q_DISABLE_COPY(pqReportCard)
-
   void addButton(
     const char* name, const QString& label, const QString& tip, void (pqReportCard::*action)());
   void showStatistics();

@@ -38,8 +38,6 @@ protected:
   bool focusNextPrevChild(bool next) override;
 
 private:
-  Q_DISABLE_COPY(pqRulesEditor)
-
   /// Shows what the line may become up to the cursor, or hides the list.
   void offer();
   void insert(const QModelIndex& index);

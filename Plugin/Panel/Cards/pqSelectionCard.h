@@ -31,8 +31,6 @@ protected:
   void refresh() override;
 
 private:
-  Q_DISABLE_COPY(pqSelectionCard)
-
   void makeTools();
   void fillStatus();
   void fillHistory();

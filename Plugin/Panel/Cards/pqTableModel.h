@@ -46,8 +46,6 @@ public:
   QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
 private:
-  Q_DISABLE_COPY(pqTableModel)
-
   QVector<Column> Columns;
   camaron::PanelTable Table;
   std::function<QColor(const camaron::PanelTable&, int row)> RowColor;

@@ -36,8 +36,6 @@ protected:
   void refresh() override;
 
 private:
-  Q_DISABLE_COPY(pqViewCard)
-
   /// Adds the switches and the kinds of cuts that the server declares, once it has the plugin.
   void makeModes();
   void makeCut();

@@ -38,8 +38,6 @@ protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
-  Q_DISABLE_COPY(pqWorstCard)
-
   bool showsPlaces() const;
   /// Whether the acceptable range of the criterion, or the user's, is for a listed cell.
   bool isJudged(const camaron::PanelTable& table, int row) const;

@@ -156,8 +156,6 @@ protected:
   void keyPressEvent(QKeyEvent* event) override;
 
 private:
-  Q_DISABLE_COPY(pqHistogramPlot)
-
   enum class Gestures
   {
     None,

@@ -67,9 +67,6 @@ pqCriteriaCostDecorator::pqCriteriaCostDecorator(vtkPVXMLElement* xml, pqPropert
 }
 
 //------------------------------------------------------------------------------
-pqCriteriaCostDecorator::~pqCriteriaCostDecorator() = default;
-
-//------------------------------------------------------------------------------
 double pqCriteriaCostDecorator::estimate()
 {
   const pqScopedUndoExclude pause;

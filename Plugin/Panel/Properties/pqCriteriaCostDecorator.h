@@ -26,14 +26,11 @@ class pqCriteriaCostDecorator : public pqPropertyWidgetDecorator
 
 public:
   pqCriteriaCostDecorator(vtkPVXMLElement* xml, pqPropertyWidget* parent);
-  ~pqCriteriaCostDecorator() override;
 
 private Q_SLOTS:
   void updateText();
 
 private:
-  Q_DISABLE_COPY(pqCriteriaCostDecorator)
-
   /// The server's estimate, in seconds, for what Apply will evaluate.
   double estimate();
 

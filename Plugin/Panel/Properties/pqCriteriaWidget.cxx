@@ -82,9 +82,6 @@ pqCriteriaWidget::pqCriteriaWidget(vtkSMProxy* proxy, vtkSMProperty* property, Q
 }
 
 //------------------------------------------------------------------------------
-pqCriteriaWidget::~pqCriteriaWidget() = default;
-
-//------------------------------------------------------------------------------
 void pqCriteriaWidget::showProperty()
 {
   this->HasChanges = false;

@@ -21,7 +21,6 @@ class pqCriteriaWidget : public pqPropertyWidget
 
 public:
   pqCriteriaWidget(vtkSMProxy* proxy, vtkSMProperty* property, QWidget* parent = nullptr);
-  ~pqCriteriaWidget() override;
 
   void apply() override;
   void reset() override;
@@ -30,8 +29,6 @@ private Q_SLOTS:
   void showProperty();
 
 private:
-  Q_DISABLE_COPY(pqCriteriaWidget)
-
   bool HasChanges = false; ///< ticks of the user that are not applied yet
   pqCriteriaTree* Tree;
 };

@@ -101,9 +101,6 @@ pqCriterionRangeWidget::pqCriterionRangeWidget(
 }
 
 //------------------------------------------------------------------------------
-pqCriterionRangeWidget::~pqCriterionRangeWidget() = default;
-
-//------------------------------------------------------------------------------
 pqOutputPort* pqCriterionRangeWidget::input() const
 {
   vtkSMPropertyHelper input(this->proxy(), "Input");

@@ -30,14 +30,11 @@ class pqCriterionRangeWidget : public pqPropertyGroupWidget
 
 public:
   pqCriterionRangeWidget(vtkSMProxy* proxy, vtkSMPropertyGroup* group, QWidget* parent = nullptr);
-  ~pqCriterionRangeWidget() override;
 
 protected:
   void showEvent(QShowEvent* event) override;
 
 private:
-  Q_DISABLE_COPY(pqCriterionRangeWidget)
-
   pqOutputPort* input() const;
   QString array() const; ///< of cells; empty if points are selected
   void refresh();

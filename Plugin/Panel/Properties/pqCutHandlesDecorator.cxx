@@ -37,9 +37,6 @@ pqCutHandlesDecorator::pqCutHandlesDecorator(vtkPVXMLElement* xml, pqPropertyWid
 }
 
 //------------------------------------------------------------------------------
-pqCutHandlesDecorator::~pqCutHandlesDecorator() = default;
-
-//------------------------------------------------------------------------------
 void pqCutHandlesDecorator::update()
 {
   const bool areShown = camaron::GetProperty(this->parentWidget()->proxy(), HandlesName).toBool();

@@ -20,11 +20,8 @@ class pqCutHandlesDecorator : public pqPropertyWidgetDecorator
 
 public:
   pqCutHandlesDecorator(vtkPVXMLElement* xml, pqPropertyWidget* parent);
-  ~pqCutHandlesDecorator() override;
 
 private:
-  Q_DISABLE_COPY(pqCutHandlesDecorator)
-
   /// Shows or hides the handles, when the events so far have been handled.
   void updateLater() { this->Timer.start(); }
   void update();

@@ -31,8 +31,6 @@ public:
   ///@}
 
 private:
-  Q_DISABLE_COPY(pqFirstViewBehavior)
-
   void follow(pqView* view);
 };
 

@@ -30,8 +30,6 @@ public:
   ///@}
 
 private:
-  Q_DISABLE_COPY(pqLegendLightBehavior)
-
   void follow(pqRepresentation* representation);
 };
 

@@ -9,7 +9,6 @@
 #include "pqServerManagerModel.h"
 
 #include "vtkCommand.h"
-#include "vtkEventQtSlotConnect.h"
 #include "vtkSMProperty.h"
 #include "vtkSMSourceProxy.h"
 #include "vtkSmartPointer.h"
@@ -24,9 +23,6 @@ pqSelectElementsBehavior::pqSelectElementsBehavior(QObject* parent)
   : QObject(parent)
 {
 }
-
-//------------------------------------------------------------------------------
-pqSelectElementsBehavior::~pqSelectElementsBehavior() = default;
 
 //------------------------------------------------------------------------------
 void pqSelectElementsBehavior::startup()

@@ -12,7 +12,8 @@
 #ifndef pqSelectElementsBehavior_h
 #define pqSelectElementsBehavior_h
 
-#include "vtkNew.h" // for the connector
+#include "vtkEventQtSlotConnect.h" // for the filters that change
+#include "vtkNew.h"                // for the connector
 
 #include <QList> // for the filters that were updated
 #include <QObject>
@@ -20,7 +21,6 @@
 #include <QSet> // for the filters that changed
 
 class pqPipelineSource;
-class vtkEventQtSlotConnect;
 class vtkObject;
 
 class pqSelectElementsBehavior : public QObject
@@ -29,7 +29,6 @@ class pqSelectElementsBehavior : public QObject
 
 public:
   explicit pqSelectElementsBehavior(QObject* parent = nullptr);
-  ~pqSelectElementsBehavior() override;
 
   ///@{
   /// Called when the plugin is loaded and when the program exits.
@@ -44,8 +43,6 @@ private Q_SLOTS:
   void onDataUpdated(pqPipelineSource* source);
 
 private:
-  Q_DISABLE_COPY(pqSelectElementsBehavior)
-
   vtkNew<vtkEventQtSlotConnect> Connector;
   QSet<vtkObject*> ChangedProxies;
   QList<QPointer<pqPipelineSource>> Updated; // their results are to become the selection

@@ -45,9 +45,6 @@ pqSelectedCountDecorator::pqSelectedCountDecorator(vtkPVXMLElement* xml, pqPrope
 }
 
 //------------------------------------------------------------------------------
-pqSelectedCountDecorator::~pqSelectedCountDecorator() = default;
-
-//------------------------------------------------------------------------------
 void pqSelectedCountDecorator::updateText()
 {
   vtkSMProxy* proxy = this->parentWidget()->proxy();

@@ -22,11 +22,8 @@ class pqSelectedCountDecorator : public pqPropertyWidgetDecorator
 
 public:
   pqSelectedCountDecorator(vtkPVXMLElement* xml, pqPropertyWidget* parent);
-  ~pqSelectedCountDecorator() override;
 
 private:
-  Q_DISABLE_COPY(pqSelectedCountDecorator)
-
   void updateText();
 
   QLabel* Label;

@@ -119,9 +119,6 @@ pqInspectedMesh::pqInspectedMesh(QObject* parent)
 }
 
 //------------------------------------------------------------------------------
-pqInspectedMesh::~pqInspectedMesh() = default;
-
-//------------------------------------------------------------------------------
 void pqInspectedMesh::setFollowing(bool follows)
 {
   this->IsFollowing = follows;

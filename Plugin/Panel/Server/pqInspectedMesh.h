@@ -35,7 +35,6 @@ class pqInspectedMesh : public QObject
 
 public:
   explicit pqInspectedMesh(QObject* parent);
-  ~pqInspectedMesh() override;
 
   /// Types of the outputs of Mesh Elements.
   static const QStringList ElementTypes;
@@ -133,8 +132,6 @@ Q_SIGNALS:
   void forgotten();
 
 private:
-  Q_DISABLE_COPY(pqInspectedMesh)
-
   /// Follows the active source.
   void findMesh();
   void followCells();

@@ -105,8 +105,6 @@ protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
-  Q_DISABLE_COPY(pqMeshDisplay)
-
   struct BeforeFlight;
   struct Place;
 

@@ -131,9 +131,6 @@ pqMeshFilters::pqMeshFilters(pqInspectedMesh* mesh, pqMeshQuestions* questions, 
 }
 
 //------------------------------------------------------------------------------
-pqMeshFilters::~pqMeshFilters() = default;
-
-//------------------------------------------------------------------------------
 double pqMeshFilters::estimatedSeconds(const QStringList& names) const
 {
   const camaron::Helper quality =

@@ -25,7 +25,6 @@ class pqMeshFilters : public QObject
 
 public:
   pqMeshFilters(pqInspectedMesh* mesh, pqMeshQuestions* questions, QObject* parent);
-  ~pqMeshFilters() override;
 
   /// Estimated seconds for evaluating criteria; 0 if unknown.
   double estimatedSeconds(const QStringList& names) const;
@@ -87,8 +86,6 @@ Q_SIGNALS:
   void evaluating(double seconds);
 
 private:
-  Q_DISABLE_COPY(pqMeshFilters)
-
   /// The value of the list of arrays of Mesh Elements.
   QVariantList elementTicks(const QStringList& names, const QString& elementType) const;
 

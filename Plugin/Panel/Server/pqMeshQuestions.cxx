@@ -89,9 +89,6 @@ pqMeshQuestions::pqMeshQuestions(pqInspectedMesh* mesh, QObject* parent)
 }
 
 //------------------------------------------------------------------------------
-pqMeshQuestions::~pqMeshQuestions() = default;
-
-//------------------------------------------------------------------------------
 const camaron::PanelTable& pqMeshQuestions::registry(int port) const
 {
   static const PanelTable none;

@@ -31,7 +31,6 @@ class pqMeshQuestions : public QObject
 
 public:
   pqMeshQuestions(pqInspectedMesh* mesh, QObject* parent);
-  ~pqMeshQuestions() override;
 
   /// Counts, bounds, memory and names.
   camaron::MeshSummary summary() const;
@@ -147,8 +146,6 @@ Q_SIGNALS:
   void registryChanged();
 
 private:
-  Q_DISABLE_COPY(pqMeshQuestions)
-
   /// An output of the server's Criteria Table.
   const camaron::PanelTable& registry(int port) const;
 

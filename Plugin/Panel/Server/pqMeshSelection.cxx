@@ -90,9 +90,6 @@ pqMeshSelection::pqMeshSelection(
 }
 
 //------------------------------------------------------------------------------
-pqMeshSelection::~pqMeshSelection() = default;
-
-//------------------------------------------------------------------------------
 camaron::SelectionInfo pqMeshSelection::info() const
 {
   camaron::SelectionInfo info;

@@ -31,7 +31,6 @@ class pqMeshSelection : public QObject
 public:
   pqMeshSelection(
     pqInspectedMesh* mesh, pqMeshQuestions* questions, pqMeshFilters* filters, QObject* parent);
-  ~pqMeshSelection() override;
 
   /// What is selected.
   camaron::SelectionInfo info() const;
@@ -94,8 +93,6 @@ Q_SIGNALS:
   void elementPicked();
 
 private:
-  Q_DISABLE_COPY(pqMeshSelection)
-
   /// selectValues by Select Elements, for what thresholds cannot express.
   void selectValuesBySteps(const QString& array, const QVector<QPair<double, double>>& ranges,
     int specials, camaron::Combination combination);

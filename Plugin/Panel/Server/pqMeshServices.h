@@ -31,8 +31,6 @@ public:
   pqMeshDisplay* const Display;
 
 private:
-  Q_DISABLE_COPY(pqMeshServices)
-
   explicit pqMeshServices(QObject* parent);
   ~pqMeshServices() override;
 };
