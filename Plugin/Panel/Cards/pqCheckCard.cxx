@@ -6,7 +6,6 @@
 #include "NumberText.h"
 #include "PanelColors.h"
 #include "pqInspectedMesh.h"
-#include "pqInspectorState.h"
 #include "pqMeshFilters.h"
 #include "pqMeshQuestions.h"
 #include "pqMeshSelection.h"

@@ -7,7 +7,6 @@
 #include "NumberText.h"
 #include "pqCriteriaTree.h"
 #include "pqInspectedMesh.h"
-#include "pqInspectorState.h"
 #include "pqMeshDisplay.h"
 #include "pqMeshFilters.h"
 #include "pqMeshQuestions.h"

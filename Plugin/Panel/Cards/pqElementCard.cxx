@@ -7,11 +7,9 @@
 #include "NumberText.h"
 #include "PanelColors.h"
 #include "pqInspectedMesh.h"
-#include "pqInspectorState.h"
 #include "pqMeshDisplay.h"
 #include "pqMeshQuestions.h"
 #include "pqMeshSelection.h"
-#include "pqMeshServices.h"
 
 #include "pqScopedOverrideCursor.h"
 

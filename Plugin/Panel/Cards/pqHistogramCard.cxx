@@ -8,7 +8,6 @@
 #include "PanelColors.h"
 #include "pqHistogramPlot.h"
 #include "pqInspectedMesh.h"
-#include "pqInspectorState.h"
 #include "pqLimitFields.h"
 #include "pqMeshDisplay.h"
 #include "pqMeshFilters.h"

@@ -4,7 +4,6 @@
 #include "pqHistogramCard.h"
 #include "pqHistogramPlot.h"
 #include "pqInspectedMesh.h"
-#include "pqInspectorState.h"
 #include "pqMeshQuestions.h"
 
 #include <QComboBox>

@@ -5,9 +5,7 @@
 #include "CardTools.h"
 #include "NumberText.h"
 #include "pqInspectedMesh.h"
-#include "pqInspectorState.h"
 #include "pqMeshQuestions.h"
-#include "pqMeshServices.h"
 
 #include "pqApplicationCore.h"
 #include "pqExpanderButton.h"
@@ -61,36 +59,6 @@ pqInspectorCard::pqInspectorCard(
     });
   QObject::connect(
     this->mesh(), &pqInspectedMesh::meshChanged, this, &pqInspectorCard::refreshWhenVisible);
-}
-
-//------------------------------------------------------------------------------
-pqInspectedMesh* pqInspectorCard::mesh() const
-{
-  return this->State->services().Mesh;
-}
-
-//------------------------------------------------------------------------------
-pqMeshQuestions* pqInspectorCard::questions() const
-{
-  return this->State->services().Questions;
-}
-
-//------------------------------------------------------------------------------
-pqMeshFilters* pqInspectorCard::filters() const
-{
-  return this->State->services().Filters;
-}
-
-//------------------------------------------------------------------------------
-pqMeshSelection* pqInspectorCard::selection() const
-{
-  return this->State->services().Selection;
-}
-
-//------------------------------------------------------------------------------
-pqMeshDisplay* pqInspectorCard::display() const
-{
-  return this->State->services().Display;
 }
 
 //------------------------------------------------------------------------------

@@ -14,17 +14,14 @@
 #ifndef pqInspectorCard_h
 #define pqInspectorCard_h
 
+#include "pqInspectorState.h" // for what cards share
+#include "pqMeshServices.h"   // for the services
+
 #include <QWidget>
 
 #include <functional> // for clicks
 
 class pqExpanderButton;
-class pqInspectedMesh;
-class pqInspectorState;
-class pqMeshDisplay;
-class pqMeshFilters;
-class pqMeshQuestions;
-class pqMeshSelection;
 class QComboBox;
 class QHBoxLayout;
 class QPushButton;
@@ -75,11 +72,11 @@ protected:
 
   ///@{
   /// The services about the mesh, see pqMeshServices.
-  pqInspectedMesh* mesh() const;
-  pqMeshQuestions* questions() const;
-  pqMeshFilters* filters() const;
-  pqMeshSelection* selection() const;
-  pqMeshDisplay* display() const;
+  pqInspectedMesh* mesh() const { return this->State->services().Mesh; }
+  pqMeshQuestions* questions() const { return this->State->services().Questions; }
+  pqMeshFilters* filters() const { return this->State->services().Filters; }
+  pqMeshSelection* selection() const { return this->State->services().Selection; }
+  pqMeshDisplay* display() const { return this->State->services().Display; }
   ///@}
 
   ///@{

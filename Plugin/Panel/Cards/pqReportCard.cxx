@@ -4,7 +4,6 @@
 
 #include "CardTools.h"
 #include "pqInspectedMesh.h"
-#include "pqInspectorState.h"
 #include "pqMeshFilters.h"
 #include "pqMeshQuestions.h"
 

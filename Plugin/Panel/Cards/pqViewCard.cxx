@@ -6,7 +6,6 @@
 #include "CutPlacement.h"
 #include "NumberText.h"
 #include "pqInspectedMesh.h"
-#include "pqInspectorState.h"
 #include "pqMeshDisplay.h"
 #include "pqMeshQuestions.h"
 

@@ -6,7 +6,6 @@
 #include "CellTypeNames.h"
 #include "NumberText.h"
 #include "pqInspectedMesh.h"
-#include "pqInspectorState.h"
 #include "pqMeshDisplay.h"
 #include "pqMeshFilters.h"
 #include "pqMeshQuestions.h"
