@@ -154,8 +154,10 @@ private:
     const QStringList& arrays, const camaron::DistributionRequest& request, bool hasWeights) const;
   camaron::PanelTable checkProblems(vtkSMSourceProxy* check) const;
 
-  /// Names of the groups of cells by "Cell type", or by "Cell array": VTK's types of their shapes.
-  QStringList groupsOfShapes(const char* groupBy) const;
+  /// Cells by "Cell type", or by the value of a criterion ("Cell array"), which is evaluated for
+  /// this if the mesh lacks it.
+  QVector<camaron::ValidityInfo::NamedCount> countGroups(
+    const QString& array, const QString& groupBy) const;
 
   pqInspectedMesh* Mesh;
   mutable std::optional<camaron::MeshSummary> Summary; // of the data so far

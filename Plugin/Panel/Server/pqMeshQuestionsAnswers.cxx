@@ -28,57 +28,51 @@
 namespace
 {
 using camaron::PanelTable;
+}
 
 //------------------------------------------------------------------------------
-// Number of cells of each group.
-QVector<camaron::ValidityInfo::NamedCount> CountGroups(const PanelTable& table)
+QVector<camaron::ValidityInfo::NamedCount> pqMeshQuestions::countGroups(
+  const QString& array, const QString& groupBy) const
 {
+  const bool isEvaluated = this->Mesh->cellArrays().contains(array);
+  const camaron::Helper quality =
+    isEvaluated ? nullptr : this->cellsHelper("ElementQuality", array.toLatin1());
+  if (quality)
+  {
+    camaron::SetProperties(quality, { { "Criteria", QVariantList{ array, "1" } } });
+  }
+  // One filter for each grouping, which answers again without computing.
+  const QByteArray key = (array + groupBy).toLatin1();
+  const camaron::Helper statistics = quality ? this->filterHelper("QualityStatistics", key, quality)
+                                             : this->cellsHelper("QualityStatistics", key);
+  if (!statistics)
+  {
+    return {};
+  }
+  camaron::SetProperties(statistics,
+    { { "Arrays", array }, { "NumberOfBins", 1 }, { "NumberOfWorst", 0 }, { "GroupBy", groupBy },
+      { "GroupArray", array } });
+  const PanelTable table = this->Mesh->helpers().fetch(statistics, 0);
   QVector<camaron::ValidityInfo::NamedCount> groups;
   for (int row = 0; row < table.size(); ++row)
   {
-    if (table.text(row, "Group") != camaron::AllCells)
+    const QString group = table.text(row, "Group");
+    if (group != camaron::AllCells)
     {
       const qint64 count = table.integer(row, "Count");
-      groups << camaron::ValidityInfo::NamedCount{ table.text(row, "Group"),
-        camaron::CellTypeName(table.text(row, "Group"), count), count };
+      groups << camaron::ValidityInfo::NamedCount{ group, camaron::CellTypeName(group, count),
+        count };
     }
   }
   return groups;
-}
 }
 
 //------------------------------------------------------------------------------
 camaron::ValidityInfo pqMeshQuestions::validity() const
 {
   camaron::ValidityInfo info;
-  const QString array = "CellStatus";
-  camaron::Helper evaluated = nullptr;
-  if (!this->Mesh->cellArrays().contains(array))
-  {
-    evaluated = this->cellsHelper("ElementQuality", "Validity");
-    if (evaluated)
-    {
-      camaron::SetProperties(evaluated, { { "Criteria", QVariantList{ array, "1" } } });
-    }
-  }
-  // One filter for each grouping, which answers again without computing.
-  const auto countBy = [&](const char* groupBy)
-  {
-    const QByteArray key = QByteArray("Validity") + groupBy;
-    const camaron::Helper statistics = evaluated
-      ? this->filterHelper("QualityStatistics", key, evaluated)
-      : this->cellsHelper("QualityStatistics", key);
-    if (!statistics)
-    {
-      return QVector<camaron::ValidityInfo::NamedCount>();
-    }
-    camaron::SetProperties(statistics,
-      { { "Arrays", array }, { "NumberOfBins", 1 }, { "NumberOfWorst", 0 }, { "GroupBy", groupBy },
-        { "GroupArray", array } });
-    return CountGroups(this->Mesh->helpers().fetch(statistics, 0));
-  };
-  info.Types = countBy("Cell type");
-  const auto values = countBy("Cell array");
+  info.Types = this->countGroups("CellStatus", "Cell type");
+  const auto values = this->countGroups("CellStatus", "Cell array");
   const PanelTable& bits = this->statusBits();
   for (int row = 0; row < bits.size(); ++row)
   {
@@ -97,34 +91,12 @@ camaron::ValidityInfo pqMeshQuestions::validity() const
 }
 
 //------------------------------------------------------------------------------
-QStringList pqMeshQuestions::groupsOfShapes(const char* groupBy) const
-{
-  const QString array = "CellFamilyId";
-  const camaron::Helper evaluated = this->cellsHelper("ElementQuality", "Shapes");
-  const camaron::Helper statistics = evaluated
-    ? this->filterHelper("QualityStatistics", QByteArray("Shapes") + groupBy, evaluated)
-    : nullptr;
-  if (!statistics)
-  {
-    return {};
-  }
-  camaron::SetProperties(evaluated, { { "Criteria", QVariantList{ array, "1" } } });
-  camaron::SetProperties(statistics,
-    { { "Arrays", array }, { "NumberOfBins", 1 }, { "NumberOfWorst", 0 }, { "GroupBy", groupBy },
-      { "GroupArray", array } });
-  QStringList groups;
-  for (const auto& group : CountGroups(this->Mesh->helpers().fetch(statistics, 0)))
-  {
-    groups << group.Name;
-  }
-  return groups;
-}
-
-//------------------------------------------------------------------------------
 bool pqMeshQuestions::hasHigherOrder() const
 {
   static const QRegularExpression order("Quadratic|Cubic|HigherOrder|Lagrange|Bezier|Parametric");
-  return !this->groupsOfShapes("Cell type").filter(order).isEmpty();
+  const auto types = this->countGroups("CellFamilyId", "Cell type");
+  return std::any_of(
+    types.begin(), types.end(), [](const auto& type) { return type.Name.contains(order); });
 }
 
 //------------------------------------------------------------------------------
@@ -134,9 +106,9 @@ QStringList pqMeshQuestions::shapes() const
     { "9", "Quad" }, { "10", "Tetra" }, { "12", "Hexahedron" }, { "13", "Wedge" },
     { "14", "Pyramid" }, { "42", "Polyhedron" } }; // VTK's types for the families
   QStringList shapes;
-  for (const QString& group : this->groupsOfShapes("Cell array"))
+  for (const auto& family : this->countGroups("CellFamilyId", "Cell array"))
   {
-    shapes += names.contains(group) ? QStringList(names[group]) : QStringList();
+    shapes += names.contains(family.Name) ? QStringList(names[family.Name]) : QStringList();
   }
   return shapes;
 }
