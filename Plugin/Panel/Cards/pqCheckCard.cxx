@@ -25,8 +25,6 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
-#include <numeric>
-#include <vector>
 
 namespace
 {
@@ -62,12 +60,6 @@ QString SpellWorstId(const PanelTable& table, int row)
 }
 
 //------------------------------------------------------------------------------
-QString SpellRule(const PanelTable& table, int row)
-{
-  return table.text(row, "Rule");
-}
-
-//------------------------------------------------------------------------------
 int GetRank(const QString& verdict)
 {
   static const QStringList order = { "fail", "warn", "pass" };
@@ -76,21 +68,13 @@ int GetRank(const QString& verdict)
 }
 
 //------------------------------------------------------------------------------
-// What fails first. RuleIndex: the row of each rule before.
-PanelTable SortByVerdict(const PanelTable& table)
+// What fails first.
+PanelTable SortByVerdict(PanelTable table)
 {
-  std::vector<int> rows(table.size());
-  std::iota(rows.begin(), rows.end(), 0);
-  std::stable_sort(rows.begin(), rows.end(), [&](int a, int b)
-    { return GetRank(table.text(a, "Verdict")) < GetRank(table.text(b, "Verdict")); });
-  PanelTable sorted;
-  sorted.Columns = table.Columns + QStringList("RuleIndex");
-  for (const int row : rows)
-  {
-    sorted.Rows << table.Rows[row];
-    sorted.Rows.back() << QVariant(row);
-  }
-  return sorted;
+  const auto verdict = table.Columns.indexOf("Verdict");
+  std::stable_sort(table.Rows.begin(), table.Rows.end(), [verdict](const auto& a, const auto& b)
+    { return GetRank(a[verdict].toString()) < GetRank(b[verdict].toString()); });
+  return table;
 }
 
 //------------------------------------------------------------------------------
@@ -110,7 +94,7 @@ pqCheckCard::pqCheckCard(pqInspectorState* state, QWidget* parent)
   , Verdict(camaron::MakeText(this->content(), "Verdict"))
   , Verdicts(new pqTableModel(
       { pqTableModel::ShowColumn(tr("Verdict"), "Verdict", false),
-        { tr("Failing"), SpellFailing, true }, { tr("Rule"), SpellRule, false },
+        { tr("Failing"), SpellFailing, true }, pqTableModel::ShowColumn(tr("Rule"), "Rule", false),
         pqTableModel::ShowColumn(tr("Worst"), "WorstValue"), { tr("Id"), SpellWorstId, true } },
       this))
   , Table(camaron::MakeTable(this->content(), "Verdicts", this->Verdicts, WideRules))

@@ -81,7 +81,7 @@ bool HelperFilters::update(vtkSMSourceProxy* source)
     this->Refused();
     return false;
   }
-  const Question question(*this);
+  const Question question = this->ask();
   source->UpdateVTKObjects();
   source->UpdatePipeline(HelperFilters::time());
   return IsConnected(source->GetSession());
@@ -94,7 +94,7 @@ PanelTable HelperFilters::fetch(vtkSMSourceProxy* source, int port, bool isDistr
   {
     return {};
   }
-  const Question question(*this);
+  const Question question = this->ask();
   auto& mover = this->DataMover;
   if (!mover)
   {

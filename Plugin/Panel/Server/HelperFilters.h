@@ -21,6 +21,7 @@
 #include "vtkSmartPointer.h"  // for the filters
 
 #include <QMap>
+#include <QScopedValueRollback> // for questions
 #include <QString>
 
 #include <functional> // for what to do
@@ -78,22 +79,9 @@ public:
   /// Updates a filter and returns a table that it computes: on process 0, or by pieces on all.
   PanelTable fetch(vtkSMSourceProxy* source, int port, bool isDistributed = false);
 
-  /// While one exists, the server computes.
-  class Question
-  {
-  public:
-    explicit Question(HelperFilters& filters)
-      : Filters(filters)
-    {
-      ++this->Filters.Questions;
-    }
-    ~Question() { --this->Filters.Questions; }
-    Question(const Question&) = delete;
-    void operator=(const Question&) = delete;
-
-  private:
-    HelperFilters& Filters;
-  };
+  /// While the returned object exists, the server computes.
+  using Question = QScopedValueRollback<int>;
+  Question ask() { return Question(this->Questions, this->Questions + 1); }
 
   bool isBusy() const { return this->Questions > 0; }
 

@@ -4,6 +4,7 @@
 
 #include "NumberText.h"
 
+#include "pqSMAdaptor.h"
 #include "pqUndoStack.h"
 
 #include "vtkClientSocket.h"
@@ -116,23 +117,7 @@ QVariant GetProperty(vtkSMProxy* proxy, const QString& name)
   {
     return QVariant();
   }
-  vtkSMPropertyHelper helper(property);
-  QVariantList values;
-  for (unsigned i = 0; i < helper.GetNumberOfElements(); ++i)
-  {
-    if (vtkSMStringVectorProperty::SafeDownCast(property))
-    {
-      values << QString::fromUtf8(helper.GetAsString(i));
-    }
-    else if (vtkSMDoubleVectorProperty::SafeDownCast(property))
-    {
-      values << helper.GetAsDouble(i);
-    }
-    else
-    {
-      values << helper.GetAsInt(i);
-    }
-  }
+  const QVariantList values = pqSMAdaptor::getMultipleElementProperty(property);
   return values.size() == 1 ? values.front() : QVariant(values);
 }
 

@@ -247,7 +247,7 @@ void pqMeshFilters::changeFilter(
   const pqScopedUndoSet undo(tr("Change '%1'").arg(source->getSMName()));
   camaron::SetTracedProperties(source->getProxy(), properties);
   {
-    const camaron::HelperFilters::Question question(this->Mesh->helpers());
+    const auto question = this->Mesh->helpers().ask();
     source->updatePipeline();
   }
   source->renderAllViews();
@@ -271,7 +271,7 @@ pqPipelineSource* pqMeshFilters::addFilter(
   {
     camaron::SetTracedProperties(filter->getProxy(), properties);
     {
-      const camaron::HelperFilters::Question question(this->Mesh->helpers());
+      const auto question = this->Mesh->helpers().ask();
       filter->updatePipeline();
     }
     MarkAsApplied(filter);
@@ -353,7 +353,7 @@ void pqMeshFilters::showStatistics(const QStringList& arrays, int table, const Q
     return;
   }
   const pqScopedUndoSet undo(tr("Show Table"));
-  const camaron::HelperFilters::Question question(this->Mesh->helpers()); // the mesh stays
+  const auto question = this->Mesh->helpers().ask(); // the mesh stays
   const QMap<QString, QVariant> properties = { { "Arrays",
     QVariantList(arrays.begin(), arrays.end()) } };
   pqPipelineSource* statistics = nullptr;

@@ -135,7 +135,7 @@ QString pqMeshFilters::write(vtkSMSourceProxy* source, int port, const QString& 
   {
     return refusal;
   }
-  const camaron::HelperFilters::Question question(this->Mesh->helpers());
+  const auto question = this->Mesh->helpers().ask();
   const auto writer = MakeWriter(source, port, path);
   if (!writer)
   {
