@@ -5,7 +5,6 @@
 
 #include "ErrorMessages.h"
 #include "ProxyValues.h"
-#include "PythonReport.h"
 #include "ThresholdSelection.h"
 #include "pqInspectedMesh.h"
 #include "pqMeshQuestions.h"
@@ -22,6 +21,10 @@
 #include "vtkSMSourceProxy.h"
 #include "vtkSMTrace.h"
 #include "vtkSMWriterFactory.h"
+
+#if CAMARON_HAS_PYTHON
+#include "vtkPythonInterpreter.h"
+#endif
 
 #include <QDir>
 #include <QFileInfo>
@@ -77,6 +80,7 @@ vtkSmartPointer<vtkSMSourceProxy> MakeWriter(
   return vtkSMSourceProxy::SafeDownCast(writer);
 }
 
+#if CAMARON_HAS_PYTHON
 //------------------------------------------------------------------------------
 // Arguments that are empty are left out.
 void TraceReport(const pqOutputPort* mesh, const QStringList& criteria,
@@ -120,6 +124,52 @@ void TraceReport(const pqOutputPort* mesh, const QStringList& criteria,
   }
   item = arguments;
 }
+
+//------------------------------------------------------------------------------
+// A text as Python code: no character of it can end the code.
+QString Quote(const QString& text)
+{
+  return QString("bytes.fromhex('%1').decode()").arg(QString::fromLatin1(text.toUtf8().toHex()));
+}
+
+//------------------------------------------------------------------------------
+QString Quote(const QStringList& texts)
+{
+  QStringList quoted;
+  for (const QString& text : texts)
+  {
+    quoted << Quote(text);
+  }
+  return '[' + quoted.join(", ") + ']';
+}
+
+//------------------------------------------------------------------------------
+// Lets the Python package write a report about these criteria, or those of the mesh if it is an
+// Element Quality. Returns an error, empty if written.
+QString WriteReport(const pqOutputPort* mesh, const QStringList& criteria,
+  const camaron::ReportRequest& request, const QString& folder)
+{
+  vtkPythonInterpreter::Initialize();
+  vtkNew<vtkPythonInterpreter> interpreter;
+  const camaron::ErrorMessages errors(interpreter);
+  const QString code = QString("from camaron import window\n"
+                               "window.write_report(%1, %2, %3, %4, %5, %6, %7)\n")
+                         .arg(mesh->getSourceProxy()->GetGlobalID())
+                         .arg(mesh->getPortNumber())
+                         .arg(Quote(criteria), Quote(request.Ranges),
+                           Quote(request.Rules.Rules.split('\n', Qt::SkipEmptyParts)),
+                           Quote(request.Rules.Tolerate), Quote(folder));
+  const int status = vtkPythonInterpreter::RunSimpleString(code.toUtf8().constData());
+  const QString error = errors.first();
+  if (error.contains("No module named 'camaron'"))
+  {
+    return pqMeshFilters::tr(
+      "Reports need the Python package camaron, which is not in PYTHONPATH.");
+  }
+  return status == 0 || !error.isEmpty() ? error
+                                         : pqMeshFilters::tr("Python failed; see Output Messages.");
+}
+#endif
 }
 
 //------------------------------------------------------------------------------
@@ -197,7 +247,7 @@ QString pqMeshFilters::saveTables(const QString& path) const
 //------------------------------------------------------------------------------
 bool pqMeshFilters::canSaveReport() const
 {
-  return this->Mesh->port() && camaron::CanWriteReport();
+  return this->Mesh->port() && CAMARON_HAS_PYTHON != 0;
 }
 
 //------------------------------------------------------------------------------
@@ -226,6 +276,7 @@ QString pqMeshFilters::reportFolder() const
 QString pqMeshFilters::saveReport(
   const QString& folder, const camaron::ReportRequest& request) const
 {
+#if CAMARON_HAS_PYTHON
   const pqOutputPort* cells = this->Mesh->cellsPort();
   if (!cells)
   {
@@ -246,6 +297,9 @@ QString pqMeshFilters::saveReport(
   }
   TraceReport(cells, criteria, request, folder);
   SM_SCOPED_TRACE(BlockTraceItems); // Python uses further filters
-  return camaron::WriteReport(
-    cells->getSourceProxy(), cells->getPortNumber(), criteria, request, folder);
+  return WriteReport(cells, criteria, request, folder);
+#else
+  Q_UNUSED(request);
+  return tr("%1: this ParaView has no Python.").arg(folder);
+#endif
 }
