@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pqMeshInspectorPanel.h"
 
-#include "FindDataPause.h"
+#include "ThresholdSelection.h"
 #include "pqCheckCard.h"
 #include "pqCriteriaCard.h"
 #include "pqElementCard.h"
@@ -18,6 +18,8 @@
 #include "pqWorstCard.h"
 
 #include "pqApplicationCore.h"
+#include "pqOutputPort.h"
+#include "pqSelectionManager.h"
 #include "pqSettings.h"
 
 #include <QAbstractSpinBox>
@@ -26,6 +28,7 @@
 #include <QCoreApplication>
 #include <QEvent>
 #include <QMainWindow>
+#include <QPointer>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QSlider>
@@ -112,6 +115,57 @@ public:
   }
 };
 
+//------------------------------------------------------------------------------
+// Keeps ParaView's panel Find Data from computing its table of the selected elements while it is
+// hidden, which takes as long as it takes to draw them.
+class FindDataPause : public QObject
+{
+public:
+  explicit FindDataPause(QWidget* window)
+    : QObject(window)
+  {
+    for (QWidget* widget : window->findChildren<QWidget*>())
+    {
+      if (widget->inherits("pqFindDataCurrentSelectionFrame") && camaron::GetSelectionManager())
+      {
+        this->Table = widget;
+        widget->installEventFilter(this);
+        this->follow(widget->isVisible());
+        return;
+      }
+    }
+  }
+
+protected:
+  bool eventFilter(QObject* watched, QEvent* event) override
+  {
+    if (watched == this->Table && (event->type() == QEvent::Show || event->type() == QEvent::Hide))
+    {
+      this->follow(event->type() == QEvent::Show);
+    }
+    return false;
+  }
+
+private:
+  void follow(bool isVisible)
+  {
+    pqSelectionManager* manager = camaron::GetSelectionManager();
+    const char* const changed = SIGNAL(selectionChanged(pqOutputPort*));
+    const char* const show = SLOT(showSelectedData(pqOutputPort*));
+    QObject::disconnect(manager, changed, this->Table, show);
+    pqOutputPort* selected = nullptr;
+    if (isVisible)
+    {
+      QObject::connect(manager, changed, this->Table, show);
+      selected = manager->getSelectedPort();
+    }
+    QMetaObject::invokeMethod(this->Table, "showSelectedData", Q_ARG(pqOutputPort*, selected));
+  }
+
+  QPointer<QObject> Table;
+};
+
+//------------------------------------------------------------------------------
 template <typename Card>
 pqInspectorCard* MakeCard(pqInspectorState* state, QWidget* parent)
 {
@@ -164,8 +218,7 @@ pqMeshInspectorPanel::pqMeshInspectorPanel(QWidget* parent)
   QMetaObject::invokeMethod(area, [area] { new WheelFilter(area); }, Qt::QueuedConnection);
   if (parent)
   { // when the window has all its panels
-    QMetaObject::invokeMethod(
-      this, [parent] { new camaron::FindDataPause(parent); }, Qt::QueuedConnection);
+    QMetaObject::invokeMethod(this, [parent] { new FindDataPause(parent); }, Qt::QueuedConnection);
   }
   this->setWidget(area);
   QObject::connect(this, &QDockWidget::visibilityChanged, pqMeshServices::instance()->Mesh,
