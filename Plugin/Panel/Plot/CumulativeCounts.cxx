@@ -78,15 +78,6 @@ CumulativeCounts::Outside CumulativeCounts::GetOutside(
 }
 
 //------------------------------------------------------------------------------
-bool CumulativeCounts::IsValid() const
-{
-  const auto isWrong = [](double low, double high) { return !(low < high); };
-  return this->Counts.size() == this->Values.size() &&
-    (this->WeightPercents.empty() || this->WeightPercents.size() == this->Values.size()) &&
-    std::adjacent_find(this->Values.begin(), this->Values.end(), isWrong) == this->Values.end();
-}
-
-//------------------------------------------------------------------------------
 std::vector<double> GetRoundLimits(const HistogramData& data)
 {
   const auto [low, high] = data.GetAxisRange();

@@ -45,8 +45,6 @@ struct CumulativeCounts
    * the extreme values.
    */
   Outside GetOutside(double low, double high, qint64 numberOfValues) const;
-
-  bool IsValid() const;
 };
 
 /**

@@ -29,20 +29,6 @@ constexpr double AllPercent = 100;
 constexpr int BrushAlpha = 46, HoverAlpha = 22, CurrentAlpha = 24, ZoomAlpha = 60,
               OutlineAlpha = 46, TotalAlpha = 50;
 
-// The cumulative curve, exact at the edges.
-CumulativeCounts GetCurveOfBins(const HistogramData& data)
-{
-  CumulativeCounts curve{ { -Infinity }, { data.GetCount(0) }, {} };
-  qint64 upTo = 0;
-  for (std::size_t edge = 0; edge < data.Edges.size(); ++edge)
-  {
-    upTo += data.GetCount(static_cast<int>(edge)); // the column that ends there
-    curve.Values.push_back(data.Edges[edge]);
-    curve.Counts.push_back(upTo);
-  }
-  return curve;
-}
-
 QRectF MakeBox(double left, double top, double right, double bottom)
 {
   return QRectF(QPointF(left, top), QPointF(right, bottom));
@@ -122,12 +108,11 @@ struct BarsPainter
   void PaintCurve()
   {
     const HistogramData& data = this->Scene.Data;
+    const CumulativeCounts& curve = this->Scene.Curve;
     if (!this->Scene.Cumulative || data.Edges.empty())
     {
       return;
     }
-    const CumulativeCounts curve =
-      this->Scene.Curve.IsEmpty() ? GetCurveOfBins(data) : this->Scene.Curve;
     const double total = static_cast<double>(data.GetNumberOfValues());
     const QRectF& plot = this->Scene.Plot;
     constexpr double farthest = 1e4; // from the plot, within what the painter can draw

@@ -59,7 +59,7 @@ void pqHistogramPlot::setData(const HistogramData& data)
 //------------------------------------------------------------------------------
 void pqHistogramPlot::setCurve(const CumulativeCounts& curve)
 {
-  this->Scene.Curve = curve.IsValid() ? curve : CumulativeCounts();
+  this->Scene.Curve = curve;
   this->placeAgain();
 }
 

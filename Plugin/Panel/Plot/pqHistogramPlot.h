@@ -57,7 +57,7 @@ public:
   const camaron::HistogramData& data() const { return this->Scene.Data; }
   ///@}
 
-  /// The cumulative curve to draw; without one it is derived from the bins.
+  /// The cumulative curve to draw.
   void setCurve(const camaron::CumulativeCounts& curve);
 
   /// Another mesh, drawn as an outline with the same percentages of its total. Request the same

@@ -621,6 +621,7 @@ void TestHistogramPlot::ExtremeDataAndSizes()
       {
         pqHistogramPlot plot;
         plot.setData(data);
+        plot.setCurve({ edges, std::vector<qint64>(edges.size(), 1), {} });
         plot.setOutline(data);
         plot.setLogarithmicCounts(isOn);
         plot.setCumulative(isOn);
