@@ -39,21 +39,31 @@ pqReportCard::pqReportCard(pqInspectorState* state, QWidget* parent)
   , Browse(new QToolButton(this->content()))
   , Save(new QPushButton(tr("Save Report"), this->content()))
 {
-  this->addButton("Statistics", tr("Show Statistics"),
-    tr("Table of minimum, maximum, mean, quantiles and counts of all evaluated criteria"),
-    &pqReportCard::showStatistics);
-  this->addButton("Chart", tr("Show as Chart"),
-    tr("ParaView's bar chart of the histogram of the current criterion"), &pqReportCard::showChart);
-  this->addButton("WorstTable", tr("Show Worst Cells"),
-    tr("Table of the worst cells of all evaluated criteria"), &pqReportCard::showWorst);
-  this->addButton("SaveTables", tr("Save Tables..."),
-    tr("Writes statistics, histograms and worst cells as CSV files"), &pqReportCard::saveTables);
-  this->Message->setOpenExternalLinks(true);
   auto* grid = new QGridLayout;
-  for (int i = 0; i < this->Buttons.size(); ++i)
+  const auto addButton =
+    [&](const char* name, const QString& label, const QString& tip, const auto& action)
   {
-    grid->addWidget(this->Buttons[i], i / 2, i % 2);
-  }
+    auto* button = new QPushButton(label, this->content());
+    button->setObjectName(name);
+    button->setToolTip(tip);
+    QObject::connect(button, &QPushButton::clicked, this, action);
+    const auto place = static_cast<int>(this->Buttons.size());
+    grid->addWidget(button, place / 2, place % 2);
+    this->Buttons << button;
+  };
+  addButton("Statistics", tr("Show Statistics"),
+    tr("Table of minimum, maximum, mean, quantiles and counts of all evaluated criteria"),
+    [this] { this->showTable(Statistics, "SpreadSheetView"); });
+  addButton("Chart", tr("Show as Chart"),
+    tr("ParaView's bar chart of the histogram of the current criterion"),
+    [this] { this->showTable(Histogram, "XYBarChartView"); });
+  addButton("WorstTable", tr("Show Worst Cells"),
+    tr("Table of the worst cells of all evaluated criteria"),
+    [this] { this->showTable(Worst, "SpreadSheetView"); });
+  addButton("SaveTables", tr("Save Tables..."),
+    tr("Writes statistics, histograms and worst cells as CSV files"),
+    [this] { this->saveTables(); });
+  this->Message->setOpenExternalLinks(true);
   this->contentLayout()->addLayout(grid);
   auto* report = new QHBoxLayout;
   report->addWidget(this->Folder, 1);
@@ -76,17 +86,6 @@ pqReportCard::pqReportCard(pqInspectorState* state, QWidget* parent)
   this->contentLayout()->addWidget(this->Message);
   camaron::ShowText(this->Hint, tr("Evaluate criteria to report on them."));
   camaron::ShowText(this->Message, QString());
-}
-
-//------------------------------------------------------------------------------
-void pqReportCard::addButton(
-  const char* name, const QString& label, const QString& tip, void (pqReportCard::*action)())
-{
-  auto* button = new QPushButton(label, this->content());
-  button->setObjectName(name);
-  button->setToolTip(tip);
-  QObject::connect(button, &QPushButton::clicked, this, action);
-  this->Buttons << button;
 }
 
 //------------------------------------------------------------------------------
@@ -124,24 +123,6 @@ void pqReportCard::showTable(int table, const char* viewType)
   this->filters()->showStatistics(
     table == Histogram ? QStringList(this->state()->criterion()) : this->questions()->evaluated(),
     table, viewType);
-}
-
-//------------------------------------------------------------------------------
-void pqReportCard::showStatistics()
-{
-  this->showTable(Statistics, "SpreadSheetView");
-}
-
-//------------------------------------------------------------------------------
-void pqReportCard::showChart()
-{
-  this->showTable(Histogram, "XYBarChartView");
-}
-
-//------------------------------------------------------------------------------
-void pqReportCard::showWorst()
-{
-  this->showTable(Worst, "SpreadSheetView");
 }
 
 //------------------------------------------------------------------------------

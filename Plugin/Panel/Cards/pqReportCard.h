@@ -26,11 +26,6 @@ protected:
   void refresh() override;
 
 private:
-  void addButton(
-    const char* name, const QString& label, const QString& tip, void (pqReportCard::*action)());
-  void showStatistics();
-  void showChart();
-  void showWorst();
   void saveTables();
   void saveReport();
   void browse();
