@@ -112,7 +112,7 @@ void pqInspectorState::followMesh()
                                                : this->Services.Questions->worstCriterion());
     if (isOther && !this->Criterion.isEmpty() && colored != this->Criterion)
     { // the view still has the colors of other elements
-      this->Services.Display->colors().colorBy(this->Criterion, this->UserLimits);
+      this->Services.Display->colors().colorBy(this->Criterion, this->userLimits());
     }
   }
 }
@@ -144,14 +144,12 @@ void pqInspectorState::setCriterion(const QString& name)
   {
     return;
   }
-  this->LimitsOf[this->keyOf(this->Criterion)] = this->UserLimits;
   this->Criterion = name;
   if (!name.isEmpty())
   {
     this->CriterionOf[this->ElementType] = name;
   }
   this->Acceptable = NoLimits;
-  this->UserLimits = this->LimitsOf[this->keyOf(name)];
   Q_EMIT this->criterionChanged();
 }
 
@@ -175,7 +173,7 @@ bool pqInspectorState::awaitsElements() const
 //------------------------------------------------------------------------------
 QPair<double, double> pqInspectorState::limits() const
 {
-  return this->criterion().isEmpty() ? NoLimits : this->UserLimits.value_or(this->Acceptable);
+  return this->criterion().isEmpty() ? NoLimits : this->userLimits().value_or(this->Acceptable);
 }
 
 //------------------------------------------------------------------------------
@@ -188,7 +186,7 @@ void pqInspectorState::setAcceptable(double low, double high)
 void pqInspectorState::chooseCriterion(const QString& name)
 {
   this->setCriterion(name);
-  this->Services.Display->colors().colorBy(name, this->UserLimits);
+  this->Services.Display->colors().colorBy(name, this->userLimits());
 }
 
 //------------------------------------------------------------------------------
@@ -204,7 +202,8 @@ void pqInspectorState::setLimits(double low, double high)
 //------------------------------------------------------------------------------
 void pqInspectorState::changeLimits(const camaron::Limits& limits)
 {
-  const camaron::Limits before = std::exchange(this->UserLimits, limits);
+  const QString key = this->keyOf(this->Criterion);
+  const camaron::Limits before = std::exchange(this->LimitsOf[key], limits);
   if (before == limits)
   {
     return;
@@ -212,8 +211,8 @@ void pqInspectorState::changeLimits(const camaron::Limits& limits)
   {
     const pqScopedUndoSet undo(tr("Change Acceptable Range"));
     this->Services.Display->colors().judgeBy(this->Criterion, limits);
-    const auto restore = [state = QPointer<pqInspectorState>(this),
-                           key = this->keyOf(this->Criterion)](const camaron::Limits& restored)
+    const auto restore = [state = QPointer<pqInspectorState>(this), key](
+                           const camaron::Limits& restored)
     {
       if (state)
       {
@@ -232,7 +231,6 @@ void pqInspectorState::restoreLimits(const QString& key, const camaron::Limits& 
   this->LimitsOf[key] = limits;
   if (key == this->keyOf(this->Criterion))
   {
-    this->UserLimits = limits;
     Q_EMIT this->limitsChanged();
   }
 }
@@ -260,25 +258,10 @@ QString pqInspectorState::rule() const
 }
 
 //------------------------------------------------------------------------------
-QMap<QString, camaron::Limits> pqInspectorState::allLimits() const
-{
-  QMap<QString, camaron::Limits> limits = this->LimitsOf;
-  limits[this->keyOf(this->Criterion)] = this->UserLimits;
-  return limits;
-}
-
-//------------------------------------------------------------------------------
-camaron::Limits pqInspectorState::userLimitsOf(const QString& criterion) const
-{
-  return this->allLimits().value(this->keyOf(criterion));
-}
-
-//------------------------------------------------------------------------------
 QStringList pqInspectorState::userRanges(const QString& elements) const
 {
   QStringList lines;
-  const QMap<QString, camaron::Limits> limits = this->allLimits();
-  for (auto item = limits.cbegin(); item != limits.cend(); ++item)
+  for (auto item = this->LimitsOf.cbegin(); item != this->LimitsOf.cend(); ++item)
   {
     const QString element = item.key().section('/', 0, 0), name = item.key().section('/', 1);
     if (element == elements && item.value() &&
@@ -300,8 +283,7 @@ camaron::ReportRequest pqInspectorState::reportRequest() const
   {
     known << line.section('#', 0, 0).simplified(); // the same rule twice is an error
   }
-  const QMap<QString, camaron::Limits> dragged = this->allLimits();
-  for (auto item = dragged.cbegin(); item != dragged.cend(); ++item)
+  for (auto item = this->LimitsOf.cbegin(); item != this->LimitsOf.cend(); ++item)
   {
     const QString criterion = item.key().section('/', 1);
     const QString element = item.key().section('/', 0, 0);

@@ -59,13 +59,15 @@ public:
   void allowComputing();
   ///@}
 
-  /// The range that the user dragged; none while it is that of the criterion.
-  const camaron::Limits& userLimits() const { return this->UserLimits; }
-
   ///@{
-  /// All ranges that the user has set: of a criterion of the elements of the mesh, and those of
-  /// elements such as "Cell" as lines of a file of ranges (Core/Criteria/RangesFile.h).
-  camaron::Limits userLimitsOf(const QString& criterion) const;
+  /// The ranges that the user has set: of the current criterion or another one of the elements of
+  /// the mesh, none while it has its acceptable range; and all of elements such as "Cell" as lines
+  /// of a file of ranges (Core/Criteria/RangesFile.h).
+  camaron::Limits userLimits() const { return this->userLimitsOf(this->Criterion); }
+  camaron::Limits userLimitsOf(const QString& criterion) const
+  {
+    return this->LimitsOf.value(this->keyOf(criterion));
+  }
   QStringList userRanges(const QString& elements) const;
   ///@}
 
@@ -112,15 +114,13 @@ private:
   QString keyOf(const QString& criterion) const { return this->ElementType + '/' + criterion; }
 
   QPair<double, double> limits() const;
-  QMap<QString, camaron::Limits> allLimits() const;
 
   const pqMeshServices& Services;
   QString ElementType = "Cell";
   QString WantedElements;
   QString Criterion;
   QString Colored;
-  camaron::Limits UserLimits;
-  QMap<QString, camaron::Limits> LimitsOf; ///< of criteria shown before, by element type and name
+  QMap<QString, camaron::Limits> LimitsOf; ///< of the user, by element type and criterion
   QMap<QString, QString> CriterionOf;      ///< the last one, by element type
   QPair<double, double> Acceptable;
   camaron::CheckRequest Checked;

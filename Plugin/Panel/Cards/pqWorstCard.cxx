@@ -101,17 +101,23 @@ pqWorstCard::pqWorstCard(pqInspectorState* state, QWidget* parent)
   tools->addWidget(this->Rows);
   tools->addWidget(this->Number);
   tools->addStretch();
-  this->OfRows << this->addTool(tools, "Previous", tr("Previous (P)"), [this] { this->step(-1); });
-  this->OfRows << this->addTool(tools, "Next", tr("Next (N)"), [this] { this->step(1); });
+  this->Keys = { { Qt::Key_P, [this] { this->step(-1); } },
+    { Qt::Key_N, [this] { this->step(1); } }, { Qt::Key_O, [this] { this->Open->toggle(); } },
+    { Qt::Key_A, [this] { this->showListed(); } }, { Qt::Key_B, [this] { this->goBack(); } },
+    { Qt::Key_S, [this] { this->selectListed(); } } };
+  this->OfRows << this->addTool(tools, "Previous", tr("Previous (P)"), this->Keys[Qt::Key_P]);
+  this->OfRows << this->addTool(tools, "Next", tr("Next (N)"), this->Keys[Qt::Key_N]);
   this->Open = this->addTool(tools, "OpenMesh",
     tr("Open the mesh around the element: its neighbors with edges, everything else as glass (O)"));
   this->OfRows << this->addTool(tools, "ShowListed",
     tr("Select everything listed, and draw only this, inside the glass shell of the mesh (A)"),
-    [this] { this->showListed(); });
+    this->Keys[Qt::Key_A]);
   this->Back = this->addTool(tools, "Back",
-    tr("Back: restore camera and display as they were before (B)"), [this] { this->goBack(); });
+    tr("Back: restore camera and display as they were before (B)"), this->Keys[Qt::Key_B]);
   this->OfRows << this->addTool(
-    tools, "SelectListed", tr("Select what is listed (S)"), [this] { this->selectListed(); });
+    tools, "SelectListed", tr("Select what is listed (S)"), this->Keys[Qt::Key_S]);
+  this->Keys[Qt::Key_Up] = this->Keys[Qt::Key_P];
+  this->Keys[Qt::Key_Down] = this->Keys[Qt::Key_N];
   this->Cells->setRowColor(
     [this](const PanelTable& table, int row)
     {
@@ -374,45 +380,17 @@ void pqWorstCard::showListed()
 //------------------------------------------------------------------------------
 bool pqWorstCard::eventFilter(QObject* watched, QEvent* event)
 {
-  if (event->type() == QEvent::ShortcutOverride)
-  { // ParaView's views have shortcuts with the same letters
-    auto* key = static_cast<QKeyEvent*>(event);
-    const int keys[] = { Qt::Key_N, Qt::Key_P, Qt::Key_O, Qt::Key_S, Qt::Key_A, Qt::Key_B };
-    if (key->modifiers() == Qt::NoModifier &&
-      std::find(std::begin(keys), std::end(keys), key->key()) != std::end(keys))
-    {
-      event->accept();
-      return true;
-    }
-  }
-  if (event->type() == QEvent::KeyPress)
+  // ParaView's views have shortcuts with the same letters.
+  const bool isShortcut = event->type() == QEvent::ShortcutOverride;
+  if (isShortcut || event->type() == QEvent::KeyPress)
   {
     auto* key = static_cast<QKeyEvent*>(event);
-    const bool isPlain = !(key->modifiers() & (Qt::ControlModifier | Qt::AltModifier));
-    switch (isPlain ? key->key() : 0)
+    const auto action = this->Keys.constFind(key->key());
+    if (action != this->Keys.cend() &&
+      !(key->modifiers() & (Qt::ControlModifier | Qt::AltModifier)))
     {
-      case Qt::Key_N:
-      case Qt::Key_Down:
-        this->step(1);
-        return true;
-      case Qt::Key_P:
-      case Qt::Key_Up:
-        this->step(-1);
-        return true;
-      case Qt::Key_O:
-        this->Open->toggle();
-        return true;
-      case Qt::Key_S:
-        this->selectListed();
-        return true;
-      case Qt::Key_A:
-        this->showListed();
-        return true;
-      case Qt::Key_B:
-        this->goBack();
-        return true;
-      default:
-        break;
+      isShortcut ? event->accept() : (*action)();
+      return true;
     }
   }
   return this->Superclass::eventFilter(watched, event);

@@ -18,6 +18,10 @@
 #include "InspectedMeshTypes.h"
 #include "pqInspectorCard.h"
 
+#include <QMap>
+
+#include <functional> // for keys
+
 class pqTableModel;
 class QComboBox;
 class QLabel;
@@ -50,6 +54,7 @@ private:
   void showSummary();
   QTableView* shownTable() const;
 
+  QMap<int, std::function<void()>> Keys; ///< in the tables
   QComboBox* Rows;
   QSpinBox* Number;
   QToolButton* Open;
