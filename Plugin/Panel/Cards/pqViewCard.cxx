@@ -23,7 +23,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 
 namespace
 {
@@ -37,13 +36,8 @@ constexpr int ExactCut = 4; // of CutBy
 pqViewCard::pqViewCard(pqInspectorState* state, QWidget* parent)
   : Superclass("View", tr("View"), false, state, parent)
   , ModeButtons(new QGridLayout)
-  , Flip(nullptr)
   , CutShape(new QComboBox(this->content()))
   , CutBy(new QComboBox(this->content()))
-  , CutPosition(nullptr)
-  , Shrink(nullptr)
-  , Explode(nullptr)
-  , Isosurface(nullptr)
 {
   this->contentLayout()->addLayout(this->ModeButtons);
   this->makeCut();
@@ -183,64 +177,41 @@ void pqViewCard::makeSliders()
       return Properties{ { "DrawIsosurfaces", 1 },
         { "IsosurfaceValues", QVariantList{ this->isosurfaceAt(share) } } };
     });
-  QObject::connect(this->CutPosition, &QSlider::sliderPressed, this,
-    [this] { this->Before = this->display()->cut(this->cutValues().keys()); });
-  QObject::connect(this->CutPosition, &QSlider::valueChanged, this,
-    [this]
-    {
-      if (this->CutBy->currentIndex() != 0 && this->CutPosition->isSliderDown())
-      {
-        this->display()->previewCut(this->cutValues());
-      }
-      else if (this->CutBy->currentIndex() != 0)
-      {
-        this->cut();
-      }
-    });
-  QObject::connect(this->CutPosition, &QSlider::sliderReleased, this,
-    [this]
-    {
-      if (this->CutBy->currentIndex() != 0)
-      {
-        this->display()->previewCut(this->Before); // to which undo goes back
-        this->cut();
-      }
-    });
+  this->connectSlider(this->CutPosition, [this](double) { return this->cutValues(); });
 }
 
 //------------------------------------------------------------------------------
 void pqViewCard::connectSlider(
   QSlider* slider, const std::function<Properties(double share)>& toProperties)
 {
-  const auto present = [slider, toProperties]
-  { return toProperties(double(slider->value()) / SliderSteps); };
+  const bool isOfCut = slider == this->CutPosition;
+  const auto present = [=] { return toProperties(double(slider->value()) / SliderSteps); };
+  const auto preview = [=](const Properties& values)
+  { isOfCut ? this->display()->previewCut(values) : this->display()->preview(values); };
+  const auto set = [=] { isOfCut ? this->cut() : this->display()->set(present()); };
   QObject::connect(slider, &QSlider::sliderPressed, this,
-    [this, present]
+    [=]
     {
+      const QStringList names = present().keys();
+      if (isOfCut)
+      {
+        this->Before = this->display()->cut(names);
+        return;
+      }
       this->display()->set({}); // Mesh Inspection
       this->Before.clear();
-      for (const QString& name : present().keys())
+      for (const QString& name : names)
       {
         this->Before[name] = this->display()->value(name);
       }
     });
   QObject::connect(slider, &QSlider::valueChanged, this,
-    [this, slider, present]
-    {
-      if (slider->isSliderDown())
-      {
-        this->display()->preview(present());
-      }
-      else
-      {
-        this->display()->set(present());
-      }
-    });
+    [=] { slider->isSliderDown() ? preview(present()) : set(); });
   QObject::connect(slider, &QSlider::sliderReleased, this,
-    [this, present]
+    [=]
     {
-      this->display()->preview(this->Before); // to which undo goes back
-      this->display()->set(present());
+      preview(this->Before); // to which undo goes back
+      set();
     });
 }
 
@@ -254,7 +225,7 @@ double pqViewCard::isosurfaceAt(double share) const
 //------------------------------------------------------------------------------
 QString pqViewCard::spellCut() const
 {
-  if (!this->CutPosition || !this->CutPosition->isEnabled())
+  if (!this->CutPosition->isEnabled())
   {
     return QString();
   }
@@ -289,18 +260,6 @@ void pqViewCard::cutAcross(int axis)
     this->CutShape->setCurrentIndex(this->CutShape->findData("Plane"));
   }
   this->cutAnew();
-}
-
-//------------------------------------------------------------------------------
-std::array<double, 3> pqViewCard::lengths() const
-{
-  const camaron::MeshSummary summary = this->questions()->summary();
-  std::array<double, 3> lengths;
-  for (std::size_t i = 0; i < 3; ++i)
-  {
-    lengths[i] = summary.Bounds[2 * i + 1] - summary.Bounds[2 * i];
-  }
-  return lengths;
 }
 
 //------------------------------------------------------------------------------
@@ -383,10 +342,10 @@ void pqViewCard::refresh()
     this->CutMesh = this->mesh()->meshVersion();
     this->Axis = -1;
   }
-  const std::array<double, 3> lengths = this->lengths();
+  const camaron::CutBounds bounds = this->questions()->summary().Bounds;
   for (int axis = 0; axis < 3; ++axis)
   {
-    camaron::SetEnabled(this->Axes[axis], lengths[static_cast<std::size_t>(axis)] > 0,
+    camaron::SetEnabled(this->Axes[axis], bounds[2 * axis + 1] > bounds[2 * axis],
       tr("The mesh is flat in this direction."));
   }
   const QString reason = isCut ? tr("Half-spaces are edited in the Properties panel.")

@@ -16,7 +16,6 @@
 #include <QMap>
 #include <QVariant>
 
-#include <array>      // for lengths
 #include <functional> // for sliders
 
 class QComboBox;
@@ -45,7 +44,8 @@ private:
     const std::function<QString(double share)>& spell);
 
   using Properties = QMap<QString, QVariant>;
-  /// Sets properties of Mesh Inspection for the position of the slider, as one undoable step.
+  /// Sets properties of Mesh Inspection, or of the cut, for the position of the slider, as one
+  /// undoable step.
   void connectSlider(QSlider* slider, const std::function<Properties(double share)>& toProperties);
 
   ///@{
@@ -67,8 +67,6 @@ private:
   };
   QList<Mode> Modes;
   QGridLayout* ModeButtons;
-  /// Lengths of the bounds of the mesh.
-  std::array<double, 3> lengths() const;
   /// The size of the cut in the unit of the mesh, or the coordinate of a plane.
   QString spellCut() const;
   double isosurfaceAt(double share) const;
@@ -80,13 +78,13 @@ private:
   int CutMesh = 0;  ///< its version
   QList<QToolButton*> Axes;
   QToolButton* Handles = nullptr;
-  QToolButton* Flip;
+  QToolButton* Flip = nullptr;
   QComboBox* CutShape;
   QComboBox* CutBy;
-  QSlider* CutPosition;
-  QSlider* Shrink;
-  QSlider* Explode;
-  QSlider* Isosurface;
+  QSlider* CutPosition = nullptr;
+  QSlider* Shrink = nullptr;
+  QSlider* Explode = nullptr;
+  QSlider* Isosurface = nullptr;
 };
 
 #endif

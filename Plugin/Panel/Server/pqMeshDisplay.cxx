@@ -388,20 +388,12 @@ bool pqMeshDisplay::hasCutHandles() const
 //------------------------------------------------------------------------------
 QPair<double, double> pqMeshDisplay::isosurfaceRange() const
 {
-  pqDataRepresentation* shown = this->Mesh->representation();
-  QPair<double, double> range = { 0, 1 };
-  if (!shown)
-  {
-    return range;
-  }
-  const QString array = this->isosurfaceArray();
-  vtkPVArrayInformation* values = this->Mesh->information()->GetArrayInformation(
-    array.toUtf8().constData(), vtkDataObject::POINT);
-  if (values)
-  {
-    range = { values->GetComponentRange(0)[0], values->GetComponentRange(0)[1] };
-  }
-  return range;
+  const QByteArray array = this->isosurfaceArray().toUtf8();
+  vtkPVArrayInformation* values = array.isEmpty()
+    ? nullptr
+    : this->Mesh->information()->GetArrayInformation(array, vtkDataObject::POINT);
+  return values ? qMakePair(values->GetComponentRange(0)[0], values->GetComponentRange(0)[1])
+                : qMakePair(0.0, 1.0);
 }
 
 //------------------------------------------------------------------------------
