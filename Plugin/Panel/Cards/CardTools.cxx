@@ -4,8 +4,6 @@
 
 #include "NumberText.h"
 
-#include "pqFileDialog.h"
-
 #include <QAbstractItemView>
 #include <QComboBox>
 #include <QCoreApplication>
@@ -277,13 +275,11 @@ void GrayPresets(QComboBox* box, const QMap<QString, QString>& reasons)
 
 //------------------------------------------------------------------------------
 QString AskForPath(QWidget* parent, const char* name, const QString& title, pqServer* server,
-  const QString& filters, PathKind kind)
+  const QString& filters, pqFileDialog::FileMode mode)
 {
   pqFileDialog dialog(server, parent, title, QString(), filters, false);
   dialog.setObjectName(name);
-  dialog.setFileMode(kind == PathKind::NewFile ? pqFileDialog::AnyFile
-      : kind == PathKind::ExistingFile         ? pqFileDialog::ExistingFile
-                                               : pqFileDialog::Directory);
+  dialog.setFileMode(mode);
   return dialog.exec() == QDialog::Accepted ? dialog.getSelectedFiles().value(0) : QString();
 }
 }

@@ -10,6 +10,8 @@
 #include "InspectedMeshTypes.h"
 #include "pqTableModel.h"
 
+#include "pqFileDialog.h" // for its modes
+
 #include <QIcon>
 #include <QString>
 
@@ -62,20 +64,12 @@ QString SpellWork(double seconds = 0);
 /// Grays presets of such a list out, with the reasons below their names.
 void GrayPresets(QComboBox* box, const QMap<QString, QString>& reasons);
 
-/// The purpose of the dialog of AskForPath.
-enum class PathKind
-{
-  NewFile,
-  ExistingFile,
-  Folder
-};
-
 /**
  * Lets the user choose a path with ParaView's file dialog, on the server or, if that is nullptr, on
  * this computer. The dialog has an object name for GUI tests. Returns an empty text if canceled.
  */
 QString AskForPath(QWidget* parent, const char* name, const QString& title, pqServer* server,
-  const QString& filters, PathKind kind);
+  const QString& filters, pqFileDialog::FileMode mode);
 }
 
 #endif

@@ -344,7 +344,7 @@ void pqCheckCard::selectFailing(int row)
 void pqCheckCard::openRules()
 {
   const QString path = camaron::AskForPath(this, "OpenRulesDialog", tr("Open Rules"), nullptr,
-    tr("Rules (*.rules *.txt)"), camaron::PathKind::ExistingFile);
+    tr("Rules (*.rules *.txt)"), pqFileDialog::ExistingFile);
   QFile file(path);
   if (!path.isEmpty() && file.open(QIODevice::ReadOnly))
   {
@@ -361,7 +361,7 @@ void pqCheckCard::openRules()
 void pqCheckCard::saveRules()
 {
   const QString path = camaron::AskForPath(this, "SaveRulesDialog", tr("Save Rules"), nullptr,
-    tr("Rules (*.rules)"), camaron::PathKind::NewFile);
+    tr("Rules (*.rules)"), pqFileDialog::AnyFile);
   const QString error =
     path.isEmpty() ? QString() : this->filters()->writeText(path, this->rules().toUtf8() + '\n');
   if (!error.isEmpty())

@@ -131,7 +131,7 @@ void pqReportCard::saveTables()
   // A dialog for folders takes no name of a new one.
   const QString path = camaron::AskForPath(this, "SaveTablesDialog",
     tr("Folder for Statistics, Histogram and Worst Cells: a New Name, or a Table in It"),
-    this->mesh()->server(), tr("Folders and tables (*)"), camaron::PathKind::NewFile);
+    this->mesh()->server(), tr("Folders and tables (*)"), pqFileDialog::AnyFile);
   if (!path.isEmpty())
   {
     camaron::ShowText(this->Message, this->filters()->saveTables(path));
@@ -160,7 +160,7 @@ void pqReportCard::saveReport()
 void pqReportCard::browse()
 {
   const QString folder = camaron::AskForPath(this, "BrowseReportDialog",
-    tr("Folder for the Report"), nullptr, QString(), camaron::PathKind::Folder);
+    tr("Folder for the Report"), nullptr, QString(), pqFileDialog::Directory);
   if (!folder.isEmpty())
   {
     this->Folder->setText(folder);

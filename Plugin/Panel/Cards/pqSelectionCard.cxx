@@ -249,7 +249,7 @@ void pqSelectionCard::exportSelection(bool onServer)
       : this->mesh()->elementType() == "Cell"
       ? tr("Ids, one per line (*.txt);;OpenFOAM set (*)")
       : tr("Ids, one per line (*.txt)"), // OpenFOAM numbers faces differently
-    camaron::PathKind::NewFile);
+    pqFileDialog::AnyFile);
   if (!path.isEmpty())
   {
     const pqScopedOverrideCursor waiting(Qt::WaitCursor);

@@ -25,6 +25,7 @@
 #include <QString>
 
 #include <functional> // for what to do
+#include <memory>     // for what is not recorded
 
 class pqOutputPort;
 class pqPipelineSource;
@@ -38,19 +39,15 @@ class Helper
 public:
   Helper(vtkSMSourceProxy* proxy)
     : Proxy(proxy)
+    , Pause(std::make_shared<pqScopedUndoExclude>())
   {
   }
-  Helper(const Helper& other)
-    : Proxy(other.Proxy)
-  {
-  }
-  void operator=(const Helper& other) { this->Proxy = other.Proxy; }
   operator vtkSMSourceProxy*() const { return this->Proxy; }
   vtkSMSourceProxy* operator->() const { return this->Proxy; }
 
 private:
   vtkSMSourceProxy* Proxy;
-  pqScopedUndoExclude Pause;
+  std::shared_ptr<pqScopedUndoExclude> Pause;
 };
 
 class HelperFilters

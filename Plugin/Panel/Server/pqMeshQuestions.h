@@ -152,7 +152,6 @@ private:
   /// What Quality Statistics computes for a request.
   QVector<camaron::Distribution> fetchDistributions(vtkSMSourceProxy* statistics,
     const QStringList& arrays, const camaron::DistributionRequest& request, bool hasWeights) const;
-  camaron::PanelTable checkProblems(vtkSMSourceProxy* check) const;
 
   /// Cells by "Cell type", or by the value of a criterion ("Cell array"), which is evaluated for
   /// this if the mesh lacks it.

@@ -28,6 +28,27 @@
 namespace
 {
 using camaron::PanelTable;
+
+//------------------------------------------------------------------------------
+// Problems of rules: line and text.
+PanelTable GetProblems(vtkSMSourceProxy* check)
+{
+  PanelTable problems;
+  problems.Columns = QStringList{ "Line", "Text" };
+  vtkSMProperty* property = check->GetProperty("Problems");
+  if (property)
+  {
+    camaron::UpdateInformation(check, property);
+    vtkSMPropertyHelper values(property);
+    // source, line and reason of each
+    for (unsigned i = 0; i + 2 < values.GetNumberOfElements(); i += 3)
+    {
+      problems.Rows << QVector<QVariant>{ QString(values.GetAsString(i + 1)).toLongLong(),
+        QString::fromUtf8(values.GetAsString(i + 2)) };
+    }
+  }
+  return problems;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -234,7 +255,7 @@ camaron::CheckResult pqMeshQuestions::check(const camaron::CheckRequest& request
   camaron::SetProperties(check,
     { { "Rules", request.Rules }, { "Preset", "None" }, { "Tolerate", request.Tolerate },
       { "NumberOfWorst", 0 } });
-  result.Problems = this->checkProblems(check);
+  result.Problems = GetProblems(check);
   if (result.Problems.isEmpty())
   {
     const camaron::ErrorMessages errors;
@@ -273,26 +294,6 @@ QMap<QString, QVariant> pqMeshQuestions::evaluationOptions() const
     options[name] = camaron::GetProperty(proxy, name);
   }
   return options;
-}
-
-//------------------------------------------------------------------------------
-camaron::PanelTable pqMeshQuestions::checkProblems(vtkSMSourceProxy* check) const
-{
-  PanelTable problems;
-  problems.Columns = QStringList{ "Line", "Text" };
-  vtkSMProperty* property = check->GetProperty("Problems");
-  if (property)
-  {
-    camaron::UpdateInformation(check, property);
-    vtkSMPropertyHelper values(property);
-    // source, line and reason of each
-    for (unsigned i = 0; i + 2 < values.GetNumberOfElements(); i += 3)
-    {
-      problems.Rows << QVector<QVariant>{ QString(values.GetAsString(i + 1)).toLongLong(),
-        QString::fromUtf8(values.GetAsString(i + 2)) };
-    }
-  }
-  return problems;
 }
 
 //------------------------------------------------------------------------------

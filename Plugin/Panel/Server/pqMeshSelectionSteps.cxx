@@ -24,21 +24,8 @@
 
 namespace
 {
-//------------------------------------------------------------------------------
-QString GetCombinationName(camaron::Combination combination)
-{
-  switch (combination)
-  {
-    case camaron::Combination::Add:
-      return "Add";
-    case camaron::Combination::Subtract:
-      return "Subtract";
-    case camaron::Combination::Intersect:
-      return "Intersect";
-    default:
-      return "Replace";
-  }
-}
+// Of camaron::Combination, as Select Elements names them.
+const QStringList Combinations = { "Replace", "Add", "Subtract", "Intersect" };
 
 //------------------------------------------------------------------------------
 // Whether what is selected before a step matters to it.
@@ -137,7 +124,7 @@ void pqMeshSelection::selectBy(const QString& strategy, const QMap<QString, QVar
   }
   QMap<QString, QVariant> all = properties;
   all["Strategy"] = strategy;
-  all["Combination"] = GetCombinationName(combination);
+  all["Combination"] = Combinations[static_cast<int>(combination)];
   pqPipelineSource* last = this->Mesh->port()->getSource();
   // Another layer of the same neighbors changes the last step instead of adding one.
   if (camaron::IsFilter(last, camaron::SelectName))
