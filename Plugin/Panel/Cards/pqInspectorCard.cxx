@@ -74,14 +74,6 @@ QToolButton* pqInspectorCard::addTool(
   QHBoxLayout* row, const char* name, const QString& tip, const std::function<void()>& click)
 {
   QToolButton* tool = camaron::MakeTool(this->Content, name, tip);
-  for (int place = row->count() - 1; place >= 0; --place)
-  {
-    if (QWidget* before = row->itemAt(place)->widget())
-    { // Tab goes from left to right, whenever a tool is created
-      QWidget::setTabOrder(before, tool);
-      break;
-    }
-  }
   row->addWidget(tool);
   if (click)
   {

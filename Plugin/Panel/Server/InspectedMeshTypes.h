@@ -99,7 +99,7 @@ struct DistributionRequest
 struct Distribution
 {
   QString Array;
-  qint64 Count = 0, Undefined = 0, Infinite = 0;
+  qint64 Count = 0, Undefined = 0;
   qint64 Applicable = 0; ///< cells of shapes to which the criterion applies
   /// Cells to which the range applies; of these, undefined, below and above it.
   qint64 Judged = 0, JudgedUndefined = 0, Below = 0, Above = 0;

@@ -71,7 +71,6 @@ camaron::Distribution ReadStatistics(const PanelTable& table, int row)
   result.Array = table.text(row, "Criterion");
   result.Count = table.integer(row, "Count");
   result.Undefined = table.integer(row, "UndefinedCount");
-  result.Infinite = table.integer(row, "InfiniteCount");
   result.Applicable = table.integer(row, "ApplicableCount");
   result.Judged = table.integer(row, "JudgedCount");
   result.JudgedUndefined = table.integer(row, "JudgedUndefinedCount");
