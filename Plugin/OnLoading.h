@@ -16,10 +16,6 @@ namespace camaron
  */
 void FollowSessions();
 
-/// From now on, every .pvsm file that sets a property by a former name causes an error with the new
-/// name; ParaView would ignore the property without a message.
-void CheckStates();
-
 /**
  * The part for ParaView's window is a plugin of its own. In a program with this window,
  * Panel/CamaronPanel.so beside the plugin, if it is there, is loaded right after it, whoever loads

@@ -204,47 +204,6 @@ class TestFormerNames(camaron_testing.TestCase):
         with self.assertRaises(AttributeError):
             simple.SelectElements(Input=quality, NumberOfRings=2)
 
-    def test_states(self):
-        """ParaView would ignore the properties, and the state would give other results without a message."""
-        names = {
-            "WorstShare": "WorstPercentage",
-            "NumberOfRings": "NumberOfLayers",
-            "WriteNullMask": "WriteUndefinedMask",
-        }
-        quality = simple.ElementQuality(Input=self.open(BALL), WriteUndefinedMask=1)
-        simple.SelectElements(
-            Input=quality, Strategy="Worst percentage", WorstPercentage=5, NumberOfLayers=2
-        )
-        self.check_state(names)
-
-    @camaron_testing.require_display()
-    def test_displays(self):
-        """The same for the representation."""
-        display = simple.Show(self.open(BALL), simple.CreateRenderView())
-        display.SetRepresentationType("Mesh Inspection")
-        display.UndefinedColor = [0.1, 0.2, 0.3]
-        self.check_state({"NullColor": "UndefinedColor"})
-
-    def check_state(self, names):
-        path = self.folder / "state.pvsm"
-        simple.SaveState(str(path))
-        text = path.read_text("utf-8")
-        for former, name in names.items():
-            self.assertIn(f'name="{name}"', text)
-            text = text.replace(f'name="{name}"', f'name="{former}"')
-        old = self.folder / "old.pvsm"
-        old.write_text(text, "utf-8")
-        for file, expected in ((path, {}), (old, names)):
-            simple.ResetSession()
-            with pipeline.Messages() as messages:
-                simple.LoadState(str(file))
-            for former, name in expected.items():
-                self.assertTrue(
-                    any(f"no property {former}; it is now {name}" in e for e in messages.errors),
-                    messages.errors,
-                )
-            self.assertEqual(len(messages.errors), len(expected), messages.errors)
-
 
 if __name__ == "__main__":
     camaron_testing.main()
