@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Rules/RuleLine.h"
 
-#include "Base/FormerNames.h"
 #include "Base/Number.h"
 #include "Base/Text.h"
 #include "Rules/Decimal.h"
@@ -108,7 +107,7 @@ RuleError RuleLine::MakeError(
     this->GetKind() == Kind::End ? "end of line" : "'" + this->GetText() + "'";
   const std::string similar = FindSimilarName(this->GetText(), known);
   return RuleError("expected " + expected + ", found " + found +
-    (similar.empty() ? DescribeFormerName(this->GetText()) : "; did you mean " + similar + "?"));
+    (similar.empty() ? "" : "; did you mean " + similar + "?"));
 }
 
 //------------------------------------------------------------------------------

@@ -7,8 +7,6 @@
 #ifndef camaron_PropertyValues_h
 #define camaron_PropertyValues_h
 
-#include "Base/FormerNames.h"
-
 #include <limits>    // for the default upper limit
 #include <sstream>   // for the message
 #include <stdexcept> // for errors
@@ -58,8 +56,7 @@ Value ParseChoice(const char* property, const std::string& text,
     known += known.empty() ? "" : &choice == &choices.back() ? " or " : ", ";
     known += choice.first;
   }
-  throw std::invalid_argument(std::string(property) + " must be " + known + ", not '" + text + "'" +
-    DescribeFormerName(text));
+  throw std::invalid_argument(std::string(property) + " must be " + known + ", not '" + text + "'");
 }
 }
 

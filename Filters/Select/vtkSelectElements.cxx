@@ -4,7 +4,6 @@
 
 #include "AcceptableRanges.h"
 #include "Base/Buffer.h"
-#include "Base/FormerNames.h"
 #include "ControllerReducer.h"
 #include "MeshOutputs.h"
 #include "RequestFailure.h"
@@ -84,11 +83,6 @@ vtkSelectElements::vtkSelectElements()
   {
     this->StrategyNames->InsertNextValue(strategy.Name);
     this->SelectedByStrategies->InsertNextValue(strategy.Selected);
-  }
-  for (const camaron::FormerName& name : camaron::FormerNames)
-  {
-    this->FormerNames->InsertNextValue(std::string(name.Former));
-    this->FormerNames->InsertNextValue(std::string(name.Name));
   }
 }
 

@@ -101,8 +101,6 @@ public:
   /// The choices for Strategy, and what each of them selects.
   vtkStringArray* GetStrategyNames() { return this->StrategyNames; }
   vtkStringArray* GetSelectedByStrategies() { return this->SelectedByStrategies; }
-  /// Former names of properties and strategies, each followed by the name that replaced it.
-  vtkStringArray* GetFormerNames() { return this->FormerNames; }
   ///@}
 
   ///@{
@@ -317,7 +315,6 @@ private:
 
   const vtkSmartPointer<vtkStringArray> PresetNames;
   vtkNew<vtkStringArray> StrategyNames, SelectedByStrategies;
-  vtkNew<vtkStringArray> FormerNames;
   vtkIdType NumberOfSelectedElements = 0;
   std::string Report;
 };

@@ -165,27 +165,14 @@ def _criteria(evaluated: Evaluation, steps: Iterable[tuple[str, dict[str, str]]]
     return [*dict.fromkeys(name for name in wanted if name in known and name not in there)]
 
 
-def _lookup(
-    name: str, known: Iterable[str], kind: str, former: Optional[dict[str, str]] = None
-) -> str:
+def _lookup(name: str, known: Iterable[str], kind: str) -> str:
     names = {plain(k): k for k in known}
-    present = names.get(former.get(plain(name), "")) if former else None
-    if present and plain(name) not in names:
-        raise ValueError(f"unknown {kind} {name}: it is now {present}")
     return names.get(plain(name)) or text.lookup(name, list(names.values()), kind)
 
 
-def _former_names(chain: Any) -> dict[str, str]:
-    """Present names by former names of strategies and properties, all as `plain` spells them."""
-    pipeline.update_information(chain)
-    names = list(chain.GetPropertyValue("FormerNames"))
-    return {plain(old): plain(new) for old, new in zip(names[::2], names[1::2])}
-
-
 def _set(chain: Any, strategy: str, properties: dict[str, str], surfaces: list[Any]) -> None:
-    former = _former_names(chain)
     strategies = chain.GetProperty("Strategy").Available
-    chain.Strategy = name = _lookup(strategy, strategies, "strategy", former)
+    chain.Strategy = name = _lookup(strategy, strategies, "strategy")
     if name == "Failed criteria" and not any(plain(p) == "preset" for p in properties):
         chain.Preset = "General"
     own = [name for name in chain.ListProperties() if name not in NO_STEP]
@@ -195,7 +182,7 @@ def _set(chain: Any, strategy: str, properties: dict[str, str], surfaces: list[A
         if plain(name) in of_shape and plain(name) not in map(plain, own):
             _set_property(chain.Shape, of_shape[plain(name)], value)
             continue
-        name = _lookup(name, own, "property", former)
+        name = _lookup(name, own, "property")
         if name == SURFACE:
             surfaces.append(pipeline.open_mesh(value).source)
             chain.Surface = surfaces[-1]

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Public names consist of words of the glossary in CONTRIBUTING.md; former names cause errors with the new name."""
+"""Public names consist of words of the glossary in CONTRIBUTING.md."""
 
 import argparse
 import re
@@ -9,7 +9,7 @@ import camaron
 import camaron_testing
 from camaron import cli
 from camaron.checking import RulesError
-from camaron.common import pipeline, tables
+from camaron.common import tables
 from paraview import simple
 
 BALL = camaron_testing.EXAMPLES / "voronoi-ball.visf"
@@ -174,35 +174,6 @@ class TestPublicNames(camaron_testing.TestCase):
         words = re.findall(r"\w+", str(caught.exception))
         self.assertIn("tolerate", words)
         self.check(set(words), 15, "word of rules")
-
-
-class TestFormerNames(camaron_testing.TestCase):
-    def test_commands(self):
-        """Steps of a selection, and rules."""
-        for step, name in (
-            ("Worst share: Array=Volume", "Worst percentage"),
-            ("Null: Array=Volume", "Undefined"),
-            ("Expand: NumberOfRings=2", "NumberOfLayers"),
-            ("Worst percentage: Array=Volume; worst-share=2", "WorstPercentage"),
-        ):
-            with self.assertRaisesRegex(ValueError, f"it is now {name}$"):
-                camaron.select(BALL, [step])
-        with self.assertRaisesRegex(RulesError, "found 'null'; it is now undefined$"):
-            camaron.check(BALL, ["Volume > 0 null passes"])
-
-    def test_filters(self):
-        """Values of properties. ParaView itself refuses former names of properties, without the new name."""
-        quality = simple.ElementQuality(Input=self.open(BALL), Criteria=["Volume"])
-        for make, properties, name in (
-            (simple.SelectElements, {"Strategy": "Change kind"}, "Change element type"),
-            (simple.SelectElements, {"Strategy": "Part"}, "Component"),
-            (simple.QualityStatistics, {"WorstValues": "Null"}, "Undefined"),
-        ):
-            with pipeline.Messages() as messages:
-                make(Input=quality, **properties).UpdatePipeline()
-            self.assertRegex("".join(messages.errors), f"it is now {name}")
-        with self.assertRaises(AttributeError):
-            simple.SelectElements(Input=quality, NumberOfRings=2)
 
 
 if __name__ == "__main__":

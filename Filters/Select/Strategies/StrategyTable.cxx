@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Strategies/Strategy.h"
 
-#include "Base/FormerNames.h"
 #include "Ranks/Collective.h"
 
 #include "vtkDataArray.h"
@@ -212,8 +211,7 @@ const Strategy& FindStrategy(const std::string& name)
       return strategy;
     }
   }
-  throw std::invalid_argument(
-    "there is no strategy named '" + name + "'" + DescribeFormerName(name));
+  throw std::invalid_argument("there is no strategy named '" + name + "'");
 }
 
 //------------------------------------------------------------------------------
