@@ -216,73 +216,38 @@ QString pqMeshSelection::describeStep(vtkSMProxy* step) const
   const QString array = property("Array").toString();
   const camaron::CriterionInfo* info = this->Questions->criterion(array);
   const QString criterion = info ? info->Label : array;
-  QString text = strategy;
-  if (strategy == "By criterion")
+  const QString rules = property("Rules").toString(), zone = property("SetName").toString();
+  const QString file = property("SetFile").toString().section('/', -1);
+  const auto ids = property("Ids").toString().split(',', Qt::SkipEmptyParts).size();
+  const bool isOfBadPlaces = property("OnlyInRange").toBool();
+  const QStringList bits = property("StatusBits").toString().split(',');
+  const camaron::PanelTable& known = this->Questions->statusBits();
+  QStringList defects;
+  for (int row = 0; row < known.size(); ++row)
   {
-    text = QString("%1 %2").arg(criterion, DescribeRange(step));
+    defects += bits.contains(known.text(row, "Name")) ? QStringList(known.text(row, "Description"))
+                                                      : QStringList();
   }
-  else if (strategy == "Undefined")
+  const QMap<QString, QString> texts = {
+    { "By criterion", QString("%1 %2").arg(criterion, DescribeRange(step)) },
+    { "Undefined", tr("%1 undefined").arg(criterion) },
+    { "Worst N", tr("Worst %1 by %2").arg(property("NumberOfWorst").toInt()).arg(criterion) },
+    { "Worst percentage",
+      tr("Worst %1\u00a0% by %2").arg(property("WorstPercentage").toDouble()).arg(criterion) },
+    { "Status", defects.isEmpty() ? tr("Any defect") : tr("Defect: %1").arg(defects.join(", ")) },
+    { "Failed rules", tr("Fails %1").arg(rules) },
+    { "By id", tr("Listed by id: %1").arg(ids) },
+    { "Connected", isOfBadPlaces ? tr("Connected bad places") : tr("Everything connected") },
+    { "Connected to ids",
+      (isOfBadPlaces ? tr("Bad places: %1") : tr("Everything connected to ids: %1")).arg(ids) },
+    { "Set", zone.isEmpty() ? tr("Set %1").arg(file) : tr("Zone %1").arg(zone) },
+    { "Invert", tr("Inverted") },
+  };
+  QString text = texts.value(strategy, strategy);
+  if (strategy == "Expand" || strategy == "Shrink")
   {
-    text = tr("%1 undefined").arg(criterion);
-  }
-  else if (strategy == "Worst N")
-  {
-    text = tr("Worst %1 by %2").arg(property("NumberOfWorst").toInt()).arg(criterion);
-  }
-  else if (strategy == "Worst percentage")
-  {
-    text = tr("Worst %1\u00a0% by %2").arg(property("WorstPercentage").toDouble()).arg(criterion);
-  }
-  else if (strategy == "Status")
-  {
-    const QStringList names = property("StatusBits").toString().split(',');
-    QStringList defects;
-    for (int row = 0; row < this->Questions->statusBits().size(); ++row)
-    {
-      if (names.contains(this->Questions->statusBits().text(row, "Name")))
-      {
-        defects << this->Questions->statusBits().text(row, "Description");
-      }
-    }
-    text = defects.isEmpty() ? tr("Any defect") : tr("Defect: %1").arg(defects.join(", "));
-  }
-  else if (strategy == "Failed rules")
-  {
-    text = tr("Fails %1").arg(property("Rules").toString());
-  }
-  else if (strategy == "By id")
-  {
-    const auto ids = property("Ids").toString().split(',', Qt::SkipEmptyParts).size();
-    text = tr("Listed by id: %1").arg(ids);
-  }
-  else if (strategy == "Connected")
-  {
-    text =
-      property("OnlyInRange").toBool() ? tr("Connected bad places") : tr("Everything connected");
-  }
-  else if (strategy == "Connected to ids")
-  {
-    const auto ids = property("Ids").toString().split(',', Qt::SkipEmptyParts).size();
-    text = property("OnlyInRange").toBool() ? tr("Bad places: %1").arg(ids)
-                                            : tr("Everything connected to ids: %1").arg(ids);
-  }
-  else if (strategy == "Set")
-  {
-    const QString zone = property("SetName").toString();
-    const QString file = property("SetFile").toString().section('/', -1);
-    text = zone.isEmpty() ? tr("Set %1").arg(file) : tr("Zone %1").arg(zone);
-  }
-  else if (strategy == "Invert")
-  {
-    text = tr("Inverted");
-  }
-  else if (strategy == "Expand")
-  {
-    text = tr("Grow %1").arg(SpellLayers(step, this->Questions->isSurface()));
-  }
-  else if (strategy == "Shrink")
-  {
-    text = tr("Shrink %1").arg(SpellLayers(step, this->Questions->isSurface()));
+    text = (strategy == "Expand" ? tr("Grow %1") : tr("Shrink %1"))
+             .arg(SpellLayers(step, this->Questions->isSurface()));
   }
   const QMap<QString, QString> beginnings = { { "Add", tr("Added: %1") },
     { "Subtract", tr("Subtracted: %1") }, { "Intersect", tr("Intersected: %1") } };
