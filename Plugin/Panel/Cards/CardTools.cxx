@@ -13,6 +13,7 @@
 #include <QPainter>
 #include <QRegularExpression>
 #include <QScrollBar>
+#include <QSignalBlocker>
 #include <QStandardItemModel>
 #include <QStyledItemDelegate>
 #include <QTableView>
@@ -228,6 +229,7 @@ void ShowText(QLabel* label, const QString& text)
 //------------------------------------------------------------------------------
 void FillPresets(QComboBox* box, const QString& none, const QVector<PresetInfo>& presets)
 {
+  const QSignalBlocker blocker(box);
   const QString before = box->currentText();
   box->clear();
   box->addItem(none);

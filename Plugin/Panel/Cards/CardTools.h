@@ -54,8 +54,8 @@ QLabel* MakeText(QWidget* parent, const char* name, bool hasLinks = false);
 /// Sets the text of a label, which takes no space without one.
 void ShowText(QLabel* label, const QString& text);
 
-/// Fills a list with presets, each with its purpose below its name, after an item for none of them.
-/// The data of an item are the names of its criteria.
+/// Fills a list with presets, each with its purpose below its name, after an item for none of them,
+/// without signals. The data of an item are the names of its criteria.
 void FillPresets(QComboBox* box, const QString& none, const QVector<PresetInfo>& presets);
 
 /// What a card shows while criteria are evaluated, with the estimated time if it is worth telling.

@@ -173,18 +173,11 @@ QString pqCheckCard::counts() const
 }
 
 //------------------------------------------------------------------------------
-void pqCheckCard::fillPresets()
-{
-  const QSignalBlocker blocker(this->Preset);
-  camaron::FillPresets(this->Preset, tr("No preset"), this->questions()->presets());
-}
-
-//------------------------------------------------------------------------------
 void pqCheckCard::refresh()
 {
   if (this->Preset->count() <= 1)
   {
-    this->fillPresets();
+    camaron::FillPresets(this->Preset, tr("No preset"), this->questions()->presets());
   }
   this->grayPresets(this->Preset);
   this->enableEdit();

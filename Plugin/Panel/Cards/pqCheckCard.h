@@ -48,7 +48,6 @@ private:
   /// The rules of the editor and the preset as one text.
   QString rules() const;
 
-  void fillPresets();
   void check();
   /// Clears the result, which belongs to other rules or to another mesh.
   void forget();

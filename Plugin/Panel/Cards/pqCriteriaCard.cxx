@@ -126,16 +126,9 @@ QString pqCriteriaCard::elementType() const
 }
 
 //------------------------------------------------------------------------------
-void pqCriteriaCard::fillPresets()
-{
-  const QSignalBlocker blocker(this->Preset);
-  camaron::FillPresets(this->Preset, tr("Preset..."), this->questions()->presets());
-}
-
-//------------------------------------------------------------------------------
 void pqCriteriaCard::fillTree()
 {
-  this->fillPresets();
+  camaron::FillPresets(this->Preset, tr("Preset..."), this->questions()->presets());
   this->Tree->setCriteria(this->questions()->criteria(), this->elementType());
   this->Search->setText(QString());
   this->HasUserTicks = false;

@@ -35,7 +35,6 @@ protected:
 
 private:
   QString elementType() const;
-  void fillPresets();
   void fillTree();
   void tickPreset();
 

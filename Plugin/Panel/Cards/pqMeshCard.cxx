@@ -50,7 +50,8 @@ pqMeshCard::pqMeshCard(pqInspectorState* state, QWidget* parent)
     this->contentLayout()->addWidget(widget);
   }
   QObject::connect(this->Validate, &QPushButton::clicked, this, &pqMeshCard::validate);
-  QObject::connect(this->Validity, &QLabel::linkActivated, this, &pqMeshCard::selectDefect);
+  QObject::connect(
+    this->Validity, &QLabel::linkActivated, this->selection(), &pqMeshSelection::selectDefect);
 }
 
 //------------------------------------------------------------------------------
@@ -148,10 +149,4 @@ void pqMeshCard::showValidity()
   this->Validity->setToolTip(lines.isEmpty()
       ? QString()
       : tr("Click a defect to select its %1").arg(this->mesh()->elements()));
-}
-
-//------------------------------------------------------------------------------
-void pqMeshCard::selectDefect(const QString& link)
-{
-  this->selection()->selectDefect(link);
 }

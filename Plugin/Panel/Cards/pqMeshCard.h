@@ -31,7 +31,6 @@ protected:
 private:
   void validate();
   void showValidity();
-  void selectDefect(const QString& link);
 
   QLabel* Counts;
   QLabel* Bounds;

@@ -122,8 +122,14 @@ void pqSelectionCard::makeTools()
   this->WorstPercent->setToolTip(tr("Percentage of the elements with the worst values of the "
                                     "current criterion"));
   more->addWidget(this->WorstPercent);
-  this->SelectWorst = this->addTool(more, "SelectWorst",
-    tr("Select the worst elements by the current criterion"), [this] { this->selectWorst(); });
+  this->SelectWorst =
+    this->addTool(more, "SelectWorst", tr("Select the worst elements by the current criterion"),
+      [this]
+      {
+        this->selection()->selectBy("Worst percentage",
+          { { "Array", this->state()->criterion() },
+            { "WorstPercentage", this->WorstPercent->value() } });
+      });
   QToolButton* status = this->addTool(more, "SelectStatus", tr("Select cells with a defect"));
   status->setMenu(this->Status);
   status->setPopupMode(QToolButton::InstantPopup);
@@ -221,14 +227,6 @@ void pqSelectionCard::fillHistory()
   {
     this->History->addAction(tr("Nothing has been selected"))->setEnabled(false);
   }
-}
-
-//------------------------------------------------------------------------------
-void pqSelectionCard::selectWorst()
-{
-  this->selection()->selectBy("Worst percentage",
-    { { "Array", this->state()->criterion() },
-      { "WorstPercentage", this->WorstPercent->value() } });
 }
 
 //------------------------------------------------------------------------------

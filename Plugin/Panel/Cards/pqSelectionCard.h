@@ -34,7 +34,6 @@ private:
   void makeTools();
   void fillStatus();
   void fillHistory();
-  void selectWorst();
   void goBackTo(int step);
   void exportSelection(bool onServer);
 

@@ -103,7 +103,8 @@ pqWorstCard::pqWorstCard(pqInspectorState* state, QWidget* parent)
   tools->addStretch();
   this->Keys = { { Qt::Key_P, [this] { this->step(-1); } },
     { Qt::Key_N, [this] { this->step(1); } }, { Qt::Key_O, [this] { this->Open->toggle(); } },
-    { Qt::Key_A, [this] { this->showListed(); } }, { Qt::Key_B, [this] { this->goBack(); } },
+    { Qt::Key_A, [this] { this->showListed(); } },
+    { Qt::Key_B, [this] { this->display()->flyBack(); } },
     { Qt::Key_S, [this] { this->selectListed(); } } };
   this->OfRows << this->addTool(tools, "Previous", tr("Previous (P)"), this->Keys[Qt::Key_P]);
   this->OfRows << this->addTool(tools, "Next", tr("Next (N)"), this->Keys[Qt::Key_N]);
@@ -307,14 +308,6 @@ void pqWorstCard::goToRow(int row)
   }
   this->display()->flyTo(location, this->state()->opensMesh());
   this->state()->showElement(table.integer(row, idColumn), table.text(row, "IdSpace"));
-  this->refreshBack();
-}
-
-//------------------------------------------------------------------------------
-void pqWorstCard::goBack()
-{
-  this->display()->flyBack();
-  this->refreshBack();
 }
 
 //------------------------------------------------------------------------------
@@ -374,7 +367,6 @@ void pqWorstCard::showListed()
     all->Size = bounds.GetDiagonalLength();
   }
   this->display()->showSelected(all);
-  this->refreshBack();
 }
 
 //------------------------------------------------------------------------------

@@ -47,7 +47,6 @@ private:
   bool isJudged(const camaron::PanelTable& table, int row) const;
   void step(int rows);
   void goToRow(int row);
-  void goBack();
   void refreshBack();
   void selectListed();
   void showListed();

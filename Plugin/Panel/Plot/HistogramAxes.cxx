@@ -111,9 +111,10 @@ public:
 
   void PaintTitles()
   {
+    const HistogramData& data = this->Scene.Data;
     const QRectF& title = this->Scene.Title;
     this->PaintText(title, Qt::AlignCenter,
-      this->Scene.Metrics.elidedText(GetTitle(this->Scene.Data), Qt::ElideRight, title.width()),
+      this->Scene.Metrics.elidedText(AddUnit(data.Name, data.Unit), Qt::ElideRight, title.width()),
       this->Colors.Text);
 
     const QRectF& box = this->Scene.CountTitle;
@@ -122,7 +123,7 @@ public:
     constexpr double quarter = -90;
     this->Painter->rotate(quarter);
     this->PaintText(QRectF(0, 0, box.height(), box.width()), Qt::AlignCenter,
-      this->Scene.Metrics.elidedText(GetElements(this->Scene.Data), Qt::ElideRight, box.height()),
+      this->Scene.Metrics.elidedText(GetElements(data), Qt::ElideRight, box.height()),
       this->Colors.Axis);
     this->Painter->restore();
   }

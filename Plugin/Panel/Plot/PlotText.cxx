@@ -45,12 +45,6 @@ QStringList DescribeHandle(const HistogramScene& scene, LimitHandle handle)
 }
 
 //------------------------------------------------------------------------------
-QString GetTitle(const HistogramData& data)
-{
-  return AddUnit(data.Name, data.Unit);
-}
-
-//------------------------------------------------------------------------------
 QString GetElements(const HistogramData& data)
 {
   return data.Elements.isEmpty() ? Text::tr("elements") : data.Elements;

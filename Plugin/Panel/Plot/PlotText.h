@@ -18,9 +18,6 @@ namespace camaron
 {
 class HistogramScene;
 
-/// Name of the criterion with its unit.
-QString GetTitle(const HistogramData& data);
-
 /// "cells" or another noun.
 QString GetElements(const HistogramData& data);
 

@@ -105,12 +105,6 @@ pqDataRepresentation* GetInspectable(pqRepresentation* representation)
 }
 
 //------------------------------------------------------------------------------
-pqInspectionLookBehavior::pqInspectionLookBehavior(QObject* parent)
-  : QObject(parent)
-{
-}
-
-//------------------------------------------------------------------------------
 void pqInspectionLookBehavior::startup()
 {
   pqServerManagerModel* model = pqApplicationCore::instance()->getServerManagerModel();

@@ -26,7 +26,7 @@ class pqInspectionLookBehavior : public QObject
   Q_OBJECT
 
 public:
-  explicit pqInspectionLookBehavior(QObject* parent = nullptr);
+  using QObject::QObject;
 
   ///@{
   /// Called when the plugin is loaded and unloaded.

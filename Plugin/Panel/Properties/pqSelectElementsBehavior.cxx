@@ -19,12 +19,6 @@
 #include <algorithm>
 
 //------------------------------------------------------------------------------
-pqSelectElementsBehavior::pqSelectElementsBehavior(QObject* parent)
-  : QObject(parent)
-{
-}
-
-//------------------------------------------------------------------------------
 void pqSelectElementsBehavior::startup()
 {
   pqServerManagerModel* model = pqApplicationCore::instance()->getServerManagerModel();

@@ -28,7 +28,7 @@ class pqSelectElementsBehavior : public QObject
   Q_OBJECT
 
 public:
-  explicit pqSelectElementsBehavior(QObject* parent = nullptr);
+  using QObject::QObject;
 
   ///@{
   /// Called when the plugin is loaded and when the program exits.

@@ -489,7 +489,7 @@ void TestHistogramData::ColumnTexts()
   data.Name = "Angle";
   data.Unit = "deg";
   data.Elements = "cells";
-  QCOMPARE(GetTitle(data), QString("Angle (°)"));
+  QCOMPARE(AddUnit(data.Name, data.Unit), QString("Angle (°)"));
   QCOMPARE(GetColumnName(data, 0), QString("Below 0°"));
   QCOMPARE(GetColumnName(data, 1), QString("0° ≤ value < 10°"));
   QCOMPARE(GetColumnName(data, 2), QString("10° ≤ value ≤ 20°"));
