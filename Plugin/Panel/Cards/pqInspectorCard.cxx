@@ -164,30 +164,20 @@ void pqInspectorCard::refreshWhenVisible()
 //------------------------------------------------------------------------------
 bool pqInspectorCard::eventFilter(QObject* watched, QEvent* event)
 {
-  if (watched == this->Button)
+  const bool isOfTitle = watched == this->Button;
+  if (isOfTitle && (event->type() == QEvent::FocusIn || event->type() == QEvent::FocusOut))
   {
-    switch (event->type())
+    QFont font = this->font();
+    font.setUnderline(event->type() == QEvent::FocusIn);
+    this->Button->setFont(font);
+  }
+  if (isOfTitle && event->type() == QEvent::KeyPress)
+  {
+    const int key = static_cast<QKeyEvent*>(event)->key();
+    if (key == Qt::Key_Space || key == Qt::Key_Return || key == Qt::Key_Enter)
     {
-      case QEvent::FocusIn:
-      case QEvent::FocusOut:
-      {
-        QFont font = this->font();
-        font.setUnderline(event->type() == QEvent::FocusIn);
-        this->Button->setFont(font);
-        break;
-      }
-      case QEvent::KeyPress:
-      {
-        const int key = static_cast<QKeyEvent*>(event)->key();
-        if (key == Qt::Key_Space || key == Qt::Key_Return || key == Qt::Key_Enter)
-        {
-          this->Button->toggle();
-          return true;
-        }
-        break;
-      }
-      default:
-        break;
+      this->Button->toggle();
+      return true;
     }
   }
   return this->Superclass::eventFilter(watched, event);

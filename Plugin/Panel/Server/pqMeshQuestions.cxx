@@ -17,6 +17,8 @@
 #include "vtkPVDataInformation.h"
 #include "vtkPVDataSetAttributesInformation.h"
 
+#include <QRegularExpression>
+
 #include <algorithm>
 #include <cmath>
 
@@ -176,7 +178,11 @@ const QVector<camaron::PresetInfo>& pqMeshQuestions::presets() const
 QMap<QString, QString> pqMeshQuestions::unfitPresets() const
 {
   const QStringList present = this->shapes();
-  const bool isLinear = !present.isEmpty() && !this->hasHigherOrder();
+  static const QRegularExpression order("Quadratic|Cubic|HigherOrder|Lagrange|Bezier|Parametric");
+  const auto types = this->countGroups("CellFamilyId", "Cell type");
+  const bool isLinear = !present.isEmpty() &&
+    std::none_of(
+      types.begin(), types.end(), [](const auto& type) { return type.Name.contains(order); });
   // The size of a cell says nothing about its shape.
   const QStringList sizes = { "Area", "Volume" };
   const auto fits = [&](const QString& criterion, const QString& shapes)

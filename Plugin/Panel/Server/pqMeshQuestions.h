@@ -100,9 +100,6 @@ public:
   /// polyhedra that have it.
   QStringList shapes() const;
 
-  /// Whether some cells are of second or higher order.
-  bool hasHigherOrder() const;
-
   /// Whether all cells of a small mesh are polygons: neighbors share edges then.
   bool isSurface() const;
 

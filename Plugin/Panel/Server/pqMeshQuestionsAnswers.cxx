@@ -19,8 +19,6 @@
 #include "vtkSMSessionProxyManager.h"
 #include "vtkSMSourceProxy.h"
 
-#include <QRegularExpression>
-
 #include <algorithm>
 #include <iterator>
 #include <limits>
@@ -109,15 +107,6 @@ camaron::ValidityInfo pqMeshQuestions::validity() const
     }
   }
   return info;
-}
-
-//------------------------------------------------------------------------------
-bool pqMeshQuestions::hasHigherOrder() const
-{
-  static const QRegularExpression order("Quadratic|Cubic|HigherOrder|Lagrange|Bezier|Parametric");
-  const auto types = this->countGroups("CellFamilyId", "Cell type");
-  return std::any_of(
-    types.begin(), types.end(), [](const auto& type) { return type.Name.contains(order); });
 }
 
 //------------------------------------------------------------------------------
