@@ -4,6 +4,7 @@
 
 #include "CardTools.h"
 #include "CellTypeNames.h"
+#include "MeshCamera.h"
 #include "NumberText.h"
 #include "PanelColors.h"
 #include "pqInspectedMesh.h"
@@ -164,7 +165,7 @@ void pqElementCard::goToText()
 void pqElementCard::goTo(qint64 id)
 {
   this->state()->showElement(id, this->mesh()->idSpace());
-  this->display()->flyTo(
+  this->display()->camera().flyTo(
     this->questions()->locate(id, this->mesh()->idSpace()), this->state()->opensMesh());
 }
 

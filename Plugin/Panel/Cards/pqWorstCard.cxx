@@ -4,6 +4,7 @@
 
 #include "CardTools.h"
 #include "CellTypeNames.h"
+#include "MeshCamera.h"
 #include "NumberText.h"
 #include "pqInspectedMesh.h"
 #include "pqMeshDisplay.h"
@@ -26,9 +27,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <optional>
 
 namespace
@@ -104,7 +103,7 @@ pqWorstCard::pqWorstCard(pqInspectorState* state, QWidget* parent)
   this->Keys = { { Qt::Key_P, [this] { this->step(-1); } },
     { Qt::Key_N, [this] { this->step(1); } }, { Qt::Key_O, [this] { this->Open->toggle(); } },
     { Qt::Key_A, [this] { this->showListed(); } },
-    { Qt::Key_B, [this] { this->display()->flyBack(); } },
+    { Qt::Key_B, [this] { this->display()->camera().flyBack(); } },
     { Qt::Key_S, [this] { this->selectListed(); } } };
   this->OfRows << this->addTool(tools, "Previous", tr("Previous (P)"), this->Keys[Qt::Key_P]);
   this->OfRows << this->addTool(tools, "Next", tr("Next (N)"), this->Keys[Qt::Key_N]);
@@ -158,7 +157,7 @@ pqWorstCard::pqWorstCard(pqInspectorState* state, QWidget* parent)
     {
       this->state()->setOpensMesh(this->Open->isChecked());
       const QModelIndex current = this->shownTable()->currentIndex();
-      if (current.isValid() && this->display()->canFlyBack())
+      if (current.isValid() && this->display()->camera().canFlyBack())
       {
         this->goToRow(current.row());
       }
@@ -306,14 +305,14 @@ void pqWorstCard::goToRow(int row)
     location.GroupArray = this->state()->criterion();
     location.GroupLimits = this->state()->userLimits();
   }
-  this->display()->flyTo(location, this->state()->opensMesh());
+  this->display()->camera().flyTo(location, this->state()->opensMesh());
   this->state()->showElement(table.integer(row, idColumn), table.text(row, "IdSpace"));
 }
 
 //------------------------------------------------------------------------------
 void pqWorstCard::refreshBack()
 {
-  camaron::SetEnabled(this->Back, this->display()->canFlyBack(),
+  camaron::SetEnabled(this->Back, this->display()->camera().canFlyBack(),
     tr("There is nothing to go back to: choose a row first."));
 }
 
@@ -348,8 +347,7 @@ void pqWorstCard::showListed()
   for (int row = 0; row < table.size(); ++row)
   {
     const camaron::Location location = GetLocation(table, row);
-    if (std::all_of(std::begin(location.Center), std::end(location.Center),
-          [](double coordinate) { return std::isfinite(coordinate); }))
+    if (location.isFinite())
     {
       vtkBoundingBox box(location.Center[0], location.Center[0], location.Center[1],
         location.Center[1], location.Center[2], location.Center[2]);
@@ -366,7 +364,7 @@ void pqWorstCard::showListed()
     bounds.GetCenter(all->Center);
     all->Size = bounds.GetDiagonalLength();
   }
-  this->display()->showSelected(all);
+  this->display()->camera().showSelected(all);
 }
 
 //------------------------------------------------------------------------------

@@ -175,6 +175,12 @@ struct Location
   Limits GroupLimits;
   double Center[3] = { 0, 0, 0 };
   double Size = 0; ///< diagonal of its bounding box; 0 if unknown
+
+  bool isFinite() const
+  {
+    return std::isfinite(this->Center[0]) && std::isfinite(this->Center[1]) &&
+      std::isfinite(this->Center[2]);
+  }
 };
 }
 

@@ -3,9 +3,9 @@
 // Display of the inspected mesh in the active view.
 #include "pqMeshDisplay.h"
 
-#include "CameraFlight.h"
 #include "ElementMarker.h"
 #include "LargeSelection.h"
+#include "MeshCamera.h"
 #include "MeshColors.h"
 #include "ProxyValues.h"
 #include "ThresholdSelection.h"
@@ -21,7 +21,6 @@
 #include "pqOutputPort.h"
 #include "pqPipelineSource.h"
 #include "pqRenderView.h"
-#include "pqServer.h"
 #include "pqUndoStack.h"
 
 #include "vtkCommand.h"
@@ -32,27 +31,19 @@
 #include "vtkPVDataInformation.h"
 #include "vtkSMProperty.h"
 #include "vtkSMPropertyHelper.h"
-#include "vtkSMRenderViewProxy.h"
-#include "vtkSMRepresentationProxy.h"
 #include "vtkSMSourceProxy.h"
 #include "vtkSMStringListDomain.h"
 #include "vtkWeakPointer.h"
 
 #include <QEvent>
 #include <QPointer>
-#include <QSet>
 #include <QWidget>
 #include <pqTimer.h>
 
 #include <algorithm>
-#include <cmath>
-#include <iterator>
-#include <utility>
 
 namespace
 {
-// How much of the view an element takes up, and everything that is selected.
-constexpr double ShareOfElement = 0.375, ShareOfSelection = 0.8;
 constexpr qint64 MostShining = 100000; // MostCells of the overlay
 
 //------------------------------------------------------------------------------
@@ -65,29 +56,6 @@ vtkSMProxy* GetCut(pqDataRepresentation* shown)
 }
 
 //------------------------------------------------------------------------------
-// What a flight to an element changes, to restore it.
-struct pqMeshDisplay::BeforeFlight
-{
-  QPointer<pqRenderView> View;
-  QVector<double> Camera;
-  QPointer<pqOutputPort> Cells;
-  QPointer<pqDataRepresentation> Drawn; // whose display was changed
-  QMap<QString, QVariant> Properties;   // of it; empty if it was not changed
-  QString CutShape;
-};
-
-//------------------------------------------------------------------------------
-// Where undo and redo go.
-struct pqMeshDisplay::Place
-{
-  QPointer<pqRenderView> View;
-  QVector<double> Camera;
-  QPointer<pqOutputPort> Cells;
-  std::optional<camaron::Location> Marked;
-  std::optional<BeforeFlight> Before;
-};
-
-//------------------------------------------------------------------------------
 class pqMeshDisplay::Internals
 {
 public:
@@ -98,9 +66,9 @@ public:
     vtkNew<vtkEventQtSlotConnect> Connector;
   };
 
-  Internals(pqInspectedMesh* mesh, pqMeshQuestions* questions)
+  Internals(pqInspectedMesh* mesh, pqMeshQuestions* questions, pqMeshDisplay* display)
     : Colors(mesh, questions)
-    , Flight(mesh)
+    , Camera(mesh, questions, display)
   {
   }
 
@@ -118,23 +86,13 @@ public:
     }
   }
 
-  void Unmark()
-  {
-    this->Marker.hide();
-    this->Marked.reset();
-  }
-
   pqTimer DisplayTimer;
   QPointer<pqDataRepresentation> Shown;
   Followed Display, Cut, Map, Legend;
   camaron::MeshColors Colors;
-  camaron::ElementMarker Marker{ "GeometryRepresentation" };
+  camaron::MeshCamera Camera;
   camaron::ElementMarker Shining{ "ElementOverlay" }; // what is selected
   camaron::LargeSelection Emphasized;                 // if that is much
-  std::optional<camaron::Location> Marked;
-  camaron::CameraFlight Flight;
-  Place From; // of the flight that is under way
-  std::optional<pqMeshDisplay::BeforeFlight> Before;
 };
 
 //------------------------------------------------------------------------------
@@ -144,7 +102,7 @@ pqMeshDisplay::pqMeshDisplay(
   , Mesh(mesh)
   , Questions(questions)
   , Selection(selection)
-  , Internal(std::make_unique<Internals>(mesh, questions))
+  , Internal(std::make_unique<Internals>(mesh, questions, this))
 {
   this->Internal->DisplayTimer.setSingleShot(true);
   this->Internal->DisplayTimer.setInterval(0);
@@ -174,7 +132,7 @@ pqMeshDisplay::pqMeshDisplay(
       this->followDisplay();
     });
   QObject::connect(
-    mesh, &pqInspectedMesh::cellsPortChanged, this, [this] { this->Internal->Unmark(); });
+    mesh, &pqInspectedMesh::cellsPortChanged, this, [this] { this->Internal->Camera.unmark(); });
   QObject::connect(mesh, &pqInspectedMesh::followingChanged, this, &pqMeshDisplay::showSelection);
   QObject::connect(mesh, &pqInspectedMesh::aboutToRemove, this,
     [this](pqPipelineSource* source)
@@ -183,7 +141,7 @@ pqMeshDisplay::pqMeshDisplay(
       { return port && port->getSource() == source; };
       if (isOf(this->Mesh->cellsPort()))
       {
-        this->Internal->Unmark();
+        this->Internal->Camera.unmark();
       }
       if (isOf(this->Mesh->port()))
       {
@@ -195,8 +153,7 @@ pqMeshDisplay::pqMeshDisplay(
     [this]
     {
       this->Internal->Colors.forget();
-      this->Internal->Before.reset();
-      this->Internal->Unmark();
+      this->Internal->Camera.forget();
       this->Internal->Shining.hide();
       this->Internal->Emphasized.hide();
     });
@@ -221,6 +178,12 @@ pqMeshDisplay::~pqMeshDisplay() = default;
 camaron::MeshColors& pqMeshDisplay::colors()
 {
   return this->Internal->Colors;
+}
+
+//------------------------------------------------------------------------------
+camaron::MeshCamera& pqMeshDisplay::camera()
+{
+  return this->Internal->Camera;
 }
 
 //------------------------------------------------------------------------------
@@ -439,217 +402,4 @@ void pqMeshDisplay::showSelection()
   this->Internal->Shining.show(this->Mesh->view(),
     this->Mesh->port()->getSourceProxy()->GetSelectionOutput(port),
     { { "Color", this->value("SelectionColor") } });
-}
-
-//------------------------------------------------------------------------------
-void pqMeshDisplay::flyTo(const camaron::Location& location, bool open)
-{
-  pqRenderView* view = this->Mesh->view();
-  if (!view || !this->Mesh->port() ||
-    !std::all_of(std::begin(location.Center), std::end(location.Center),
-      [](double coordinate) { return std::isfinite(coordinate); }))
-  {
-    return;
-  }
-  const Place from = this->here(view);
-  this->Internal->From = from;
-  if (!open || !this->canFlyBack())
-  {
-    this->closeDisplay();
-  }
-  this->rememberCamera(view);
-  double direction[3];
-  const QVector<double> camera =
-    camaron::Aim(view->getProxy(), location, ShareOfElement, direction);
-  const QVariantList box =
-    open && location.Size > 0 ? camaron::MakeBox(location, direction, camera) : QVariantList();
-  this->Internal->Unmark();
-  this->Internal->Flight.start(view, camera,
-    [this, view, location, camera, box, from,
-      cells = QPointer<pqOutputPort>(this->Mesh->cellsPort())]
-    {
-      const bool isOfCells = cells && cells == this->Mesh->cellsPort();
-      const pqScopedUndoSet undo(tr("Fly to Element"));
-      if (!box.isEmpty() && this->canFlyBack()) // only now: the camera moves at once and often
-      {
-        this->rememberDisplay();
-        this->set({ { "CutBy", 1 }, { "CutKeeps", 1 }, { "CellsToDraw", 0 }, { "GlassShell", 1 },
-          { "DrawEdges", 1 } });
-        this->setCut("HalfSpaces", { { "Planes", box } });
-      }
-      if (isOfCells)
-      {
-        this->mark(view, location);
-        this->recordWay(from, camera);
-      }
-    });
-  Q_EMIT this->displayChanged();
-}
-
-//------------------------------------------------------------------------------
-void pqMeshDisplay::mark(pqRenderView* view, const camaron::Location& location)
-{
-  const camaron::Helper target = this->Questions->extracted(location, "Target");
-  if (target && this->Mesh->helpers().update(target)) // views do not update it at first
-  {
-    const QVariant color = camaron::GetLook(target, "MarkColor");
-    this->Internal->Marker.show(view, target,
-      { { "Representation", QString("Wireframe") }, { "AmbientColor", color },
-        { "DiffuseColor", color }, { "LineWidth", 4.0 }, { "Pickable", 0 } });
-    this->Internal->Marked = location;
-  }
-}
-
-//------------------------------------------------------------------------------
-pqMeshDisplay::Place pqMeshDisplay::here(pqRenderView* view) const
-{
-  return this->Internal->Flight.isUnderWay()
-    ? this->Internal->From
-    : Place{ view, camaron::GetCamera(view->getProxy()), this->Mesh->cellsPort(),
-        this->Internal->Marked, this->Internal->Before };
-}
-
-//------------------------------------------------------------------------------
-void pqMeshDisplay::recordWay(const Place& from, const QVector<double>& camera)
-{
-  const Place to = { from.View, camera, this->Mesh->cellsPort(), this->Internal->Marked,
-    this->Internal->Before };
-  const auto way = [display = QPointer<pqMeshDisplay>(this)](const Place& place)
-  {
-    if (display)
-    {
-      display->goTo(place);
-    }
-  };
-  camaron::AddToUndo(this->Mesh->server()->session(), [=] { way(from); }, [=] { way(to); });
-}
-
-//------------------------------------------------------------------------------
-void pqMeshDisplay::goTo(const Place& place)
-{
-  this->Internal->Unmark();
-  this->Internal->Before = place.Before;
-  this->Internal->From = place;
-  if (place.View)
-  {
-    this->Internal->Flight.start(place.View, place.Camera,
-      [this, place]
-      {
-        if (place.Marked && place.Cells && place.Cells == this->Mesh->cellsPort())
-        {
-          this->mark(place.View, *place.Marked);
-        }
-      });
-  }
-  Q_EMIT this->displayChanged();
-}
-
-//------------------------------------------------------------------------------
-void pqMeshDisplay::showSelected(const std::optional<camaron::Location>& location)
-{
-  pqRenderView* view = this->Mesh->view();
-  if (!view || !this->Mesh->port())
-  {
-    return;
-  }
-  const pqScopedUndoSet undo(tr("Show Selected"));
-  const Place from = this->here(view);
-  this->Internal->Flight.stop();
-  this->closeDisplay();
-  this->Internal->Unmark();
-  this->rememberCamera(view);
-  this->rememberDisplay();
-  this->set({ { "CutBy", 0 }, { "CellsToDraw", 1 }, { "GlassShell", 1 }, { "DrawEdges", 1 } });
-  QVector<double> camera = camaron::GetCamera(view->getProxy());
-  if (location)
-  {
-    double direction[3];
-    camera = camaron::Aim(view->getProxy(), *location, ShareOfSelection, direction);
-    this->Internal->From = from;
-    this->Internal->Flight.start(view, camera);
-  }
-  this->recordWay(from, camera);
-  Q_EMIT this->displayChanged();
-}
-
-//------------------------------------------------------------------------------
-void pqMeshDisplay::rememberCamera(pqRenderView* view)
-{
-  if (!this->canFlyBack())
-  {
-    this->Internal->Before.emplace();
-    this->Internal->Before->View = view;
-    this->Internal->Before->Camera = camaron::GetCamera(view->getProxy());
-    this->Internal->Before->Cells = this->Mesh->cellsPort();
-  }
-}
-
-//------------------------------------------------------------------------------
-void pqMeshDisplay::rememberDisplay()
-{
-  BeforeFlight& before = *this->Internal->Before;
-  if (!before.Properties.isEmpty())
-  {
-    return; // it is open already, also that of a step of selection, which looks the same
-  }
-  before.Drawn = this->Mesh->representation();
-  before.CutShape = this->cutShape();
-  for (const char* name :
-    { "Representation", "CutBy", "CutKeeps", "CellsToDraw", "GlassShell", "DrawEdges" })
-  {
-    before.Properties[name] = this->value(name);
-  }
-}
-
-//------------------------------------------------------------------------------
-void pqMeshDisplay::closeDisplay()
-{
-  if (!this->Internal->Before || this->Internal->Before->Properties.isEmpty())
-  {
-    return;
-  }
-  const pqScopedUndoSet undo(tr("Change Display"));
-  QSet<pqDataRepresentation*> opened = { this->Internal->Before->Drawn };
-  if (this->canFlyBack())
-  { // after a step of selection, its display is open, too
-    opened << this->Mesh->representation();
-  }
-  for (pqDataRepresentation* drawn : std::as_const(opened))
-  {
-    if (drawn)
-    {
-      camaron::SetCut(drawn->getProxy(), this->Internal->Before->CutShape, {});
-      camaron::SetTracedProperties(drawn->getProxy(), this->Internal->Before->Properties);
-      drawn->renderViewEventually();
-    }
-  }
-  this->Internal->Before->Drawn = nullptr;
-  this->Internal->Before->Properties.clear();
-}
-
-//------------------------------------------------------------------------------
-void pqMeshDisplay::flyBack()
-{
-  if (!this->canFlyBack())
-  {
-    return;
-  }
-  const pqScopedUndoSet undo(tr("Fly Back"));
-  const Place from = this->here(this->Internal->Before->View);
-  this->Internal->Unmark();
-  this->closeDisplay();
-  const QVector<double> camera = this->Internal->Before->Camera;
-  this->Internal->From = from;
-  this->Internal->Flight.start(from.View, camera);
-  this->Internal->Before.reset();
-  this->recordWay(from, camera);
-  Q_EMIT this->displayChanged();
-}
-
-//------------------------------------------------------------------------------
-bool pqMeshDisplay::canFlyBack() const
-{
-  return this->Internal->Before && this->Mesh->cellsPort() &&
-    this->Mesh->cellsPort() == this->Internal->Before->Cells && this->Internal->Before->View &&
-    this->Internal->Before->View == this->Mesh->view();
 }

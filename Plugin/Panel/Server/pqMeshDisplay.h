@@ -12,17 +12,16 @@
 #include <QMap>
 #include <QObject>
 
-#include <memory>   // for members
-#include <optional> // for locations
+#include <memory> // for members
 
 namespace camaron
 {
+class MeshCamera;
 class MeshColors;
 }
 class pqInspectedMesh;
 class pqMeshQuestions;
 class pqMeshSelection;
-class pqRenderView;
 
 class pqMeshDisplay : public QObject
 {
@@ -81,20 +80,8 @@ public:
   QString isosurfaceArray() const;
   QPair<double, double> isosurfaceRange() const;
 
-  /// @name The camera
-  ///@{
-  /// Moves it to a location, marks what is there and, if `open`, cuts the mesh around it.
-  /// An element whose points are not all finite has no location: nothing moves.
-  void flyTo(const camaron::Location& location, bool open);
-
-  /// Draws only the selected elements, inside the glass shell of the mesh, and moves the camera to
-  /// where they are, if that is known.
-  void showSelected(const std::optional<camaron::Location>& location);
-
-  /// Restores camera and display as they were before flyTo or showSelected, without the mark.
-  void flyBack();
-  bool canFlyBack() const;
-  ///@}
+  /// The camera: flights to elements and back.
+  camaron::MeshCamera& camera();
 
 Q_SIGNALS:
   /// The view, the representation or its properties.
@@ -105,26 +92,7 @@ protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
-  struct BeforeFlight;
-  struct Place;
-
   void followDisplay();
-
-  /// Before the first flight, and before a mesh is opened, unless it is open already.
-  void rememberCamera(pqRenderView* view);
-  void rememberDisplay();
-  void closeDisplay();
-
-  /// Marks the element at a location.
-  void mark(pqRenderView* view, const camaron::Location& location);
-
-  ///@{
-  /// Undo of the camera's ways, with the mark: where it is, or where the present flight began; adds
-  /// a way from there to the present step of undo; and goes a way again.
-  Place here(pqRenderView* view) const;
-  void recordWay(const Place& from, const QVector<double>& camera);
-  void goTo(const Place& place);
-  ///@}
 
   pqInspectedMesh* Mesh;
   pqMeshQuestions* Questions;
