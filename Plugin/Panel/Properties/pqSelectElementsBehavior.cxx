@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pqSelectElementsBehavior.h"
 
+#include "InspectedMeshTypes.h"
 #include "ThresholdSelection.h"
 
 #include "pqApplicationCore.h"
