@@ -74,13 +74,13 @@ pqHistogramCard::pqHistogramCard(pqInspectorState* state, QWidget* parent)
   QObject::connect(this->Plot, &pqHistogramPlot::rangeReset, this,
     [this]
     {
-      this->Request.HasRange = false;
+      this->Request.Range.reset();
       this->showDistribution();
     });
   QObject::connect(state, &pqInspectorState::criterionChanged, this,
     [this]
     {
-      this->Request.HasRange = false;
+      this->Request.Range.reset();
       this->refreshWhenVisible();
     });
   QObject::connect(
@@ -215,9 +215,7 @@ void pqHistogramCard::showOutline()
   if (!this->OutlineSource.isEmpty() && this->Shown.Histogram.Edges.size() > 1)
   {
     camaron::DistributionRequest request = this->Request;
-    request.HasRange = true;
-    request.Range[0] = this->Shown.Histogram.Edges.front();
-    request.Range[1] = this->Shown.Histogram.Edges.back();
+    request.Range = { this->Shown.Histogram.Edges.front(), this->Shown.Histogram.Edges.back() };
     request.Bins = this->Shown.Histogram.GetNumberOfBins();
     request.GroupBy = "None";
     const auto found = this->questions()->distributions(
@@ -381,9 +379,7 @@ void pqHistogramCard::showSelectedParts()
 //------------------------------------------------------------------------------
 void pqHistogramCard::zoom(double low, double high)
 {
-  this->Request.HasRange = true;
-  this->Request.Range[0] = low;
-  this->Request.Range[1] = high;
+  this->Request.Range = { low, high };
   this->showDistribution();
 }
 

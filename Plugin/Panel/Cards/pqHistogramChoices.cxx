@@ -79,7 +79,7 @@ void pqHistogramCard::makeToolBar()
     [this](bool on)
     {
       this->Request.Logarithmic = on;
-      this->Request.HasRange = false;
+      this->Request.Range.reset();
       this->showDistribution();
     });
   QObject::connect(

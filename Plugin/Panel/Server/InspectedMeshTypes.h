@@ -83,8 +83,7 @@ struct DistributionRequest
 {
   int Bins = 50;
   bool Logarithmic = false;
-  bool HasRange = false; ///< whether Range limits the bins
-  double Range[2] = { 0, 1 };
+  Limits Range;             ///< of the bins; without it, that of all elements
   QVector<double> Edges;    ///< where a bin must end
   QString GroupBy = "None"; ///< "None", "Cell type", "Block" or "Cell array"
   QString GroupArray;

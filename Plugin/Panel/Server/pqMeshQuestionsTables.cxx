@@ -49,11 +49,12 @@ pqPipelineSource* FindSource(const QString& name, pqServer* server)
 QMap<QString, QVariant> ToProperties(
   const QStringList& arrays, const camaron::DistributionRequest& request)
 {
+  const QPair<double, double> range = request.Range.value_or(qMakePair(0.0, 1.0));
   return { { "Arrays", QVariantList(arrays.begin(), arrays.end()) },
     { "NumberOfBins", request.Bins },
     { "HistogramScale", request.Logarithmic ? "Logarithmic" : "Linear" },
-    { "HistogramRange", request.HasRange ? "Custom" : "All elements" },
-    { "CustomRange", QVariantList{ request.Range[0], request.Range[1] } },
+    { "HistogramRange", request.Range ? "Custom" : "All elements" },
+    { "CustomRange", QVariantList{ range.first, range.second } },
     { "BinEdges", QVariantList(request.Edges.begin(), request.Edges.end()) },
     { "Preset", request.Preset }, { "Ranges", request.Ranges.join('\n') },
     { "OnlySelected", request.CountsSelected }, { "GroupBy", request.GroupBy },
