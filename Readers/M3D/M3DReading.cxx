@@ -178,13 +178,12 @@ public:
   bool Read(TextScanner& scanner, const TextLines* lines, const Progress& progress);
 
 private:
-  bool FindElements(TextScanner& scanner, const TextLines* lines, const Progress& progress);
-  bool ReadElements(TextScanner& scanner, const TextLines* lines, const Progress& progress);
+  bool FindElements(TextScanner& scanner, const RowSequence& nodes, const Progress& progress);
+  bool ReadElements(const RowSequence& rows, const Progress& progress);
   void ReadFirstMaterial(TextScanner scanner);
   void CompareMaterial(TextRow& row, const char* end);
-  bool ReadMaterials(TextScanner scanner, const TextLines* lines, const Progress& progress);
-  bool ReadNodes(
-    const TextScanner& start, const TextLines* lines, bool withCodes, const Progress& progress);
+  bool ReadMaterials(const RowSequence& elements, const Progress& progress);
+  bool ReadNodes(const RowSequence& rows, bool withCodes, const Progress& progress);
   void WarnOfRest(TextScanner& scanner);
 
   PieceRequest Request;
@@ -199,27 +198,23 @@ private:
   std::string_view FirstMaterial;               // its text, empty if the first element has none
   std::atomic<bool> HasOtherMaterials{ false }; // than the first one
   std::atomic<bool> LacksMaterials{ false };    // of some elements
-  const char* NodesEnd = nullptr;
   vtkSmartPointer<vtkDataArray> Points, Codes, Projections, Materials; // of cells or field data
 };
 
 //------------------------------------------------------------------------------
 // Finds the section of elements, behind that of nodes.
 bool M3DReading::FindElements(
-  TextScanner& scanner, const TextLines* lines, const Progress& progress)
+  TextScanner& scanner, const RowSequence& nodes, const Progress& progress)
 {
-  if (!SkipRows(
-        scanner, lines, this->NumberOfNodes, progress,
-        [](vtkIdType, TextRow& row)
+  if (!nodes.Skip(progress,
+        [](vtkIdType, vtkIdType, TextRow& row)
         {
           Node node;
           return ReadNode(row, node);
-        },
-        RowLayout::OneLine))
+        }))
   {
     return false;
   }
-  this->NodesEnd = scanner.GetPosition();
   if (scanner.SkipSpace() && *scanner.GetPosition() != '[')
   {
     this->Messages.Add("the section of nodes has more lines than it declares");
@@ -233,17 +228,13 @@ bool M3DReading::FindElements(
 
 //------------------------------------------------------------------------------
 // All rows are read to check them and to find the piece, then those of the piece to store them.
-bool M3DReading::ReadElements(
-  TextScanner& scanner, const TextLines* lines, const Progress& progress)
+bool M3DReading::ReadElements(const RowSequence& rows, const Progress& progress)
 {
-  const vtkIdType count = this->NumberOfElements;
-  if (count == 0)
+  if (rows.GetCount() == 0)
   {
     return MakeCloud(this->NumberOfNodes, this->Request, this->Piece, this->Mesh);
   }
-  const TextScanner start = scanner;
-  const char* const end = scanner.GetEnd();
-  this->ReadFirstMaterial(scanner);
+  const char* const end = rows.GetScanner().GetEnd();
   const auto read = [&](TextRow& row, std::int32_t* points)
   {
     const ElementKind* const kind = ReadElement(row, this->NumberOfNodes, points);
@@ -253,13 +244,11 @@ bool M3DReading::ReadElements(
     }
     return kind;
   };
-  if (!this->Piece.Find(this->NumberOfNodes, count, this->Request,
+  if (!this->Piece.Find(this->NumberOfNodes, rows.GetCount(), this->Request,
         [&]
         {
-          scanner = start;
-          return ReadRowsOnce(
-            scanner, lines, count, progress.Part(0, 0.7),
-            [&](vtkIdType i, TextRow& row)
+          return rows.ForEach(progress.Part(0, 0.7),
+            [&](vtkIdType i, vtkIdType, TextRow& row)
             {
               std::int32_t points[MaxElementNodes];
               const ElementKind* const kind = read(row, points);
@@ -268,16 +257,13 @@ bool M3DReading::ReadElements(
                 this->Piece.Visit(i, points, kind->NumberOfNodes);
               }
               return kind != nullptr;
-            },
-            RowLayout::OneLine);
+            });
         }))
   {
     return false;
   }
-  scanner = start;
   this->Mesh.NumberOfPoints = this->Piece.GetNumberOfPoints();
-  return ReadCells(
-    scanner, lines, count, this->Mesh, progress.Part(this->Piece.IsWhole() ? 0 : 0.7, 1),
+  return ReadCells(rows, this->Mesh, progress.Part(this->Piece.IsWhole() ? 0 : 0.7, 1),
     [&](vtkIdType i, TextRow& row, CellSink& sink)
     {
       if (this->Piece.FindCell(i) < 0)
@@ -297,8 +283,7 @@ bool M3DReading::ReadElements(
         sink.AddPoint(static_cast<std::int32_t>(this->Piece.FindPoint(points[p])));
       }
       return true;
-    },
-    RowLayout::OneLine);
+    });
 }
 
 //------------------------------------------------------------------------------
@@ -341,13 +326,11 @@ void M3DReading::CompareMaterial(TextRow& row, const char* end)
 
 //------------------------------------------------------------------------------
 // Reads the materials of all elements, unless some have none.
-bool M3DReading::ReadMaterials(
-  TextScanner scanner, const TextLines* lines, const Progress& progress)
+bool M3DReading::ReadMaterials(const RowSequence& elements, const Progress& progress)
 {
   Buffer<double> materials(MaterialSize * this->Piece.GetNumberOfCells());
-  const bool good = ReadRowsOnce(
-    scanner, lines, this->NumberOfElements, progress,
-    [&](vtkIdType i, TextRow& row)
+  const bool good = elements.ForEach(progress,
+    [&](vtkIdType i, vtkIdType, TextRow& row)
     {
       std::int32_t points[MaxElementNodes];
       double unused[MaterialSize];
@@ -360,31 +343,26 @@ bool M3DReading::ReadMaterials(
       if (!ReadMaterial(row, values))
       {
         this->LacksMaterials.store(true, std::memory_order_relaxed);
-        return false;
       }
       return true;
-    },
-    RowLayout::OneLine);
+    });
   if (good)
   {
     this->Materials = materials.TakeArray<vtkDoubleArray>(MaterialSize, MaterialName);
   }
-  return good || this->LacksMaterials;
+  return good;
 }
 
 //------------------------------------------------------------------------------
 // Reads the nodes of the piece; if any node of the file has a code, again with the codes.
-bool M3DReading::ReadNodes(
-  const TextScanner& start, const TextLines* lines, bool withCodes, const Progress& progress)
+bool M3DReading::ReadNodes(const RowSequence& rows, bool withCodes, const Progress& progress)
 {
   const vtkIdType size = this->Piece.GetNumberOfPoints();
   Buffer<double> coordinates(3 * size), projections(withCodes ? 3 * size : 0);
   Buffer<int> codes(withCodes ? size : 0);
   std::atomic<bool> hasCodes{ false };
-  TextScanner scanner = start;
-  if (!ReadRows(
-        scanner, lines, this->NumberOfNodes, progress,
-        [&](vtkIdType i, TextRow& row)
+  if (!rows.ForEach(progress,
+        [&](vtkIdType i, vtkIdType, TextRow& row)
         {
           Node node;
           if (!ReadNode(row, node))
@@ -408,15 +386,13 @@ bool M3DReading::ReadNodes(
             std::copy(node.Projection, node.Projection + 3, projections.data() + 3 * point);
           }
           return true;
-        },
-        RowLayout::OneLine) ||
-    scanner.GetPosition() != this->NodesEnd)
+        }))
   {
     return false;
   }
   if (hasCodes && !withCodes)
   {
-    return this->ReadNodes(start, lines, true, progress);
+    return this->ReadNodes(rows, true, progress);
   }
   this->Points = coordinates.TakeArray<vtkDoubleArray>(3);
   if (withCodes)
@@ -456,14 +432,12 @@ bool M3DReading::Read(TextScanner& scanner, const TextLines* lines, const Progre
     return false;
   }
   // The nodes come first, but the elements determine which of them a piece needs.
-  const TextScanner nodes = scanner;
+  const RowSequence nodes(scanner, lines, this->NumberOfNodes, RowLayout::OneLine);
   this->Piece.SetPoints(
     [&](const PieceOfSpace::Visit& visit)
     {
-      TextScanner again = nodes;
-      return ReadRowsOnce(
-        again, lines, this->NumberOfNodes, Progress(),
-        [&](vtkIdType i, TextRow& row)
+      return nodes.ForEach(Progress(),
+        [&](vtkIdType i, vtkIdType, TextRow& row)
         {
           Node node;
           const bool isGood = ReadNode(row, node);
@@ -472,18 +446,18 @@ bool M3DReading::Read(TextScanner& scanner, const TextLines* lines, const Progre
             visit(i, node.Position);
           }
           return isGood;
-        },
-        RowLayout::OneLine);
+        });
     });
-  if (!this->FindElements(scanner, lines, progress.Part(0, 0.05)))
+  if (!this->FindElements(scanner, nodes, progress.Part(0, 0.05)))
   {
     return false;
   }
-  const TextScanner elements = scanner;
-  if (!this->ReadElements(scanner, lines, progress.Part(0.05, 0.5)) ||
-    !this->ReadNodes(nodes, lines, false, progress.Part(0.5, 0.8)) ||
+  this->ReadFirstMaterial(scanner);
+  const RowSequence elements(scanner, lines, this->NumberOfElements, RowLayout::OneLine);
+  if (!this->ReadElements(elements, progress.Part(0.05, 0.5)) ||
+    !this->ReadNodes(nodes, false, progress.Part(0.5, 0.8)) ||
     (this->HasOtherMaterials && !this->LacksMaterials &&
-      !this->ReadMaterials(elements, lines, progress.Part(0.8, 0.9))))
+      !this->ReadMaterials(elements, progress.Part(0.8, 0.9))))
   {
     return false;
   }

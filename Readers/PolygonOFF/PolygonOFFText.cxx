@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // OFF files in text.
 #include "Intake/CellMesh/CellRows.h"
-#include "Intake/Rows/RowSequence.h"
 #include "PolygonOFFMesh.h"
 
 #include "vtkUnstructuredGrid.h"

@@ -122,8 +122,8 @@ bool TRIReading::ReadTriangles(
   const auto read = [&](vtkIdType, TextRow& row, std::int32_t* points, vtkIdType = 0)
   { return row.ReadIds(points, 3, first, last, Vertex); };
   const PieceRows rows(scanner, lines, { this->Counts.Vertices, triangles, VTK_TRIANGLE, 3 });
-  return rows.Find(scanner, this->Request, this->Mesh.Piece, progress.Part(0, 0.5), read) &&
-    rows.Read(scanner, this->Mesh.Piece, this->Mesh.Cells, progress.Part(0.5, 1), read);
+  return rows.Find(this->Request, this->Mesh.Piece, progress.Part(0, 0.5), read) &&
+    rows.Read(this->Mesh.Piece, this->Mesh.Cells, progress.Part(0.5, 1), read);
 }
 
 //------------------------------------------------------------------------------
@@ -147,14 +147,17 @@ bool TRIReading::ReadComponents(
     }
     return component >= INT32_MIN && component <= INT32_MAX;
   };
+  TextScanner attempt = scanner;
   if (lines &&
-    ReadRowsOfLines(scanner, *lines, count, progress,
-      [&](vtkIdType i, TextRow& row)
-      {
-        std::int64_t component;
-        return row.ReadInteger(component, Component) && !row.HasMore() && set(i, component);
-      }))
+    RowSequence(attempt, lines, count)
+      .ForEach(progress,
+        [&](vtkIdType i, vtkIdType, TextRow& row)
+        {
+          std::int64_t component;
+          return row.ReadInteger(component, Component) && !row.HasMore() && set(i, component);
+        }))
   {
+    scanner = attempt;
     return true;
   }
   for (vtkIdType i = 0; i < count && !progress.IsStopped(); ++i)
@@ -234,7 +237,7 @@ bool TRIReading::Read(TextScanner& scanner, const TextLines* lines, const Progre
   PointRows vertices(scanner, lines, this->Counts.Vertices, Coordinate);
   this->Mesh.Piece.SetPoints(
     [&](const PieceOfSpace::Visit& visit) { return vertices.ForEach(visit, Progress()); });
-  if (!vertices.Skip(scanner, progress.Part(0, 0.1)) ||
+  if (!vertices.Skip(progress.Part(0, 0.1)) ||
     !this->ReadTriangles(scanner, lines, progress.Part(0.1, 0.4)) ||
     (isCart3D && !this->ReadComponents(scanner, lines, progress.Part(0.4, 0.5))) ||
     !this->ReadScalars(scanner, progress.Part(0.5, 0.6)))

@@ -84,7 +84,7 @@ bool ReadTetrahedra(TextScanner& scanner, const TextLines* lines, const PieceReq
   CellMeshPiece piece;
   piece.SetPoints(
     [&](const PieceOfSpace::Visit& visit) { return vertices.ForEach(visit, Progress()); });
-  if (!vertices.Skip(scanner, progress.Part(0, 0.1)) ||
+  if (!vertices.Skip(progress.Part(0, 0.1)) ||
     (lines && !lines->Find(scanner.GetPosition(), header.Tetrahedra)))
   {
     return false;
@@ -99,8 +99,8 @@ bool ReadTetrahedra(TextScanner& scanner, const TextLines* lines, const PieceReq
   { return row.ReadIds(ids, 4, 0, header.Vertices - 1, "a vertex of a tetrahedron"); };
   const bool good = header.Tetrahedra == 0
     ? MakeCloud(header.Vertices, request, piece, cells)
-    : rows.Find(scanner, request, piece, progress.Part(0.1, 0.3), readCell) &&
-      rows.Read(scanner, piece, cells, progress.Part(0.3, 0.5), readCell);
+    : rows.Find(request, piece, progress.Part(0.1, 0.3), readCell) &&
+      rows.Read(piece, cells, progress.Part(0.3, 0.5), readCell);
   const vtkSmartPointer<vtkDataArray> points =
     good ? vertices.Read(piece, progress.Part(0.5, 0.95)) : nullptr;
   if (!points)

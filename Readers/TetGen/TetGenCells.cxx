@@ -280,7 +280,7 @@ bool TetGenCells::Read(TextScanner& scanner, const TextLines* lines, const TetGe
   this->Columns.Start(this->Table.Columns, count);
   const PieceRows rows(
     scanner, lines, { nodes.GetCount(), count, type, this->Table.NumberOfNodes });
-  if (!rows.Find(scanner, request, piece, progress.Part(0, 0.7),
+  if (!rows.Find(request, piece, progress.Part(0, 0.7),
         [&](vtkIdType i, TextRow& row, std::int32_t* points)
         { return this->ReadRow(row, i, nodes, points, -1); }))
   {
@@ -288,7 +288,7 @@ bool TetGenCells::Read(TextScanner& scanner, const TextLines* lines, const TetGe
   }
   this->Ids = Buffer<std::int32_t>(piece.GetNumberOfCells());
   this->Columns.Allocate(piece.GetNumberOfCells());
-  if (!rows.Read(scanner, piece, this->Mesh, progress.Part(this->IsWhole ? 0 : 0.7, 1),
+  if (!rows.Read(piece, this->Mesh, progress.Part(this->IsWhole ? 0 : 0.7, 1),
         [&](vtkIdType i, TextRow& row, std::int32_t* points, vtkIdType cell)
         { return this->ReadRow(row, i, nodes, points, cell); }))
   {

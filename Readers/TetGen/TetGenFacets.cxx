@@ -86,13 +86,14 @@ bool TetGenFacets::Read(TextScanner& scanner, const TextLines* lines, const TetG
   this->HasMarkers = numbers[1] != 0;
   this->Markers.assign(static_cast<std::size_t>(this->Count), 0);
   this->Unmarked.Start(this->HasMarkers ? this->Count : 0);
-  const bool good = isSmesh ? ReadCells(scanner, lines, this->Count, this->Mesh, progress,
-                                [&](vtkIdType facet, TextRow& row, CellSink& sink)
-                                {
-                                  return ReadPolygon(row, nodes, sink) &&
-                                    (!this->HasMarkers || this->ReadMarker(row, facet));
-                                })
-                            : (lines && this->ReadPairs(scanner, *lines, nodes, progress)) ||
+  const bool good = isSmesh
+    ? ReadCells(RowSequence(scanner, lines, this->Count), this->Mesh, progress,
+        [&](vtkIdType facet, TextRow& row, CellSink& sink)
+        {
+          return ReadPolygon(row, nodes, sink) &&
+            (!this->HasMarkers || this->ReadMarker(row, facet));
+        })
+    : (lines && this->ReadPairs(scanner, lines, nodes, progress)) ||
       (!progress.IsStopped() && this->ReadOneByOne(scanner, nodes, progress));
   this->NumberOfCells = this->Mesh.NumberOfCells;
   return good;
@@ -101,20 +102,17 @@ bool TetGenFacets::Read(TextScanner& scanner, const TextLines* lines, const TetG
 //------------------------------------------------------------------------------
 // Most large files have one polygon per facet, on two lines in total, and can be read in parallel.
 bool TetGenFacets::ReadPairs(
-  TextScanner& scanner, const TextLines& lines, const TetGenNodes& nodes, const Progress& progress)
+  TextScanner& scanner, const TextLines* lines, const TetGenNodes& nodes, const Progress& progress)
 {
-  const TextLines::Section section = lines.Find(scanner.GetPosition(), 2 * this->Count);
-  if (!section)
-  {
-    return false;
-  }
-  std::vector<CellSink> sinks(static_cast<std::size_t>(lines.GetNumberOfPieces(section)));
-  const bool good = VisitRows(lines, section, scanner.GetComment(), progress,
-    [&](vtkIdType line, vtkIdType piece, TextRow& row)
+  TextScanner attempt = scanner;
+  const RowSequence rows(attempt, lines, 2 * this->Count);
+  std::vector<CellSink> sinks(rows.GetNumberOfParts());
+  const bool good = rows.ForEach(progress,
+    [&](vtkIdType line, vtkIdType part, TextRow& row)
     {
       if (line % 2 == 1)
       {
-        return ReadPolygon(row, nodes, sinks[piece]);
+        return ReadPolygon(row, nodes, sinks[part]);
       }
       std::int64_t polygons, holes = 0;
       return row.ReadInteger(polygons, "") && polygons == 1 &&
@@ -126,7 +124,7 @@ bool TetGenFacets::ReadPairs(
   {
     return false;
   }
-  scanner.SetPosition(section.End);
+  scanner = attempt;
   return true;
 }
 

@@ -33,7 +33,7 @@ public:
 
 private:
   bool ReadOneByOne(TextScanner& scanner, const TetGenNodes& nodes, const Progress& progress);
-  bool ReadPairs(TextScanner& scanner, const TextLines& lines, const TetGenNodes& nodes,
+  bool ReadPairs(TextScanner& scanner, const TextLines* lines, const TetGenNodes& nodes,
     const Progress& progress);
   bool ReadFacet(TextScanner& scanner, const TetGenNodes& nodes, vtkIdType facet, CellSink& sink);
   bool ReadHole(TextScanner& scanner, vtkIdType facet);

@@ -67,9 +67,9 @@ bool TetGenNeighbors::Read(TextScanner& scanner, const TextLines* lines, const T
   this->Corners = header.Corners;
   this->Neighbors = Buffer<std::int32_t>(header.Corners * piece.GetNumberOfCells());
   std::fill(this->Neighbors.data(), this->Neighbors.data() + this->Neighbors.size(), None);
-  return ReadRows(
-    scanner, lines, header.Count, progress,
-    [&](vtkIdType, TextRow& row)
+  const RowSequence rows(scanner, lines, header.Count, RowLayout::OneLine);
+  return rows.ForEach(progress,
+    [&](vtkIdType, vtkIdType, TextRow& row)
     {
       constexpr char Element[] = "the id of an element",
                      Neighbor[] = "a neighbor, the id of an element";
@@ -101,8 +101,7 @@ bool TetGenNeighbors::Read(TextScanner& scanner, const TextLines* lines, const T
         }
       }
       return true;
-    },
-    RowLayout::OneLine);
+    });
 }
 
 //------------------------------------------------------------------------------

@@ -95,20 +95,19 @@ bool TetGenNodes::Read(
   const vtkIdType count = this->Table.Count;
   this->Ids = Buffer<std::int32_t>(count);
   this->Allocate(whole ? count : 0);
-  const char* const rows = scanner.GetPosition();
-  if (!ReadRows(
-        scanner, lines, count, progress,
-        [&](vtkIdType i, TextRow& row)
+  const char* const begin = scanner.GetPosition();
+  const RowSequence rows(scanner, lines, count, RowLayout::OneLine);
+  if (!rows.ForEach(progress,
+        [&](vtkIdType i, vtkIdType, TextRow& row)
         {
           return row.ReadId(this->Ids[i], 0, INT32_MAX, Id) &&
             (!whole || this->ReadValuesOf(row, i, i));
-        },
-        RowLayout::OneLine))
+        }))
   {
     return false;
   }
   this->Map.Build(this->Ids.data(), count);
-  return this->Map.GetNumberOfRepeated() == 0 || this->FailAtRepeated(scanner, rows);
+  return this->Map.GetNumberOfRepeated() == 0 || this->FailAtRepeated(scanner, begin);
 }
 
 //------------------------------------------------------------------------------
@@ -117,24 +116,23 @@ bool TetGenNodes::ForEach(TextScanner& scanner, const TextLines* lines,
 {
   Header header;
   return ReadHeader(scanner, header) &&
-    ReadRows(
-      scanner, lines, this->GetCount(), progress,
-      [&](vtkIdType i, TextRow& row)
-      {
-        std::int32_t id;
-        double x[3] = { 0, 0, 0 };
-        bool isGood = row.ReadId(id, 0, INT32_MAX, Id);
-        for (int c = 0; isGood && c < this->Table.Dimension; ++c)
+    RowSequence(scanner, lines, this->GetCount(), RowLayout::OneLine)
+      .ForEach(progress,
+        [&](vtkIdType i, vtkIdType, TextRow& row)
         {
-          isGood = row.ReadReal(x[c], Coordinate);
-        }
-        if (isGood)
-        {
-          visit(i, x);
-        }
-        return isGood;
-      },
-      RowLayout::OneLine);
+          std::int32_t id;
+          double x[3] = { 0, 0, 0 };
+          bool isGood = row.ReadId(id, 0, INT32_MAX, Id);
+          for (int c = 0; isGood && c < this->Table.Dimension; ++c)
+          {
+            isGood = row.ReadReal(x[c], Coordinate);
+          }
+          if (isGood)
+          {
+            visit(i, x);
+          }
+          return isGood;
+        });
 }
 
 //------------------------------------------------------------------------------
@@ -148,14 +146,13 @@ bool TetGenNodes::ReadValues(TextScanner& scanner, const TextLines* lines,
   }
   this->Allocate(piece.GetNumberOfPoints());
   this->Answer.assign(3 * this->Asked.size(), 0);
-  return ReadRows(
-    scanner, lines, this->GetCount(), progress,
-    [&](vtkIdType i, TextRow& row)
-    {
-      std::int32_t id;
-      return row.ReadId(id, 0, INT32_MAX, Id) && this->ReadValuesOf(row, i, piece.FindPoint(i));
-    },
-    RowLayout::OneLine);
+  return RowSequence(scanner, lines, this->GetCount(), RowLayout::OneLine)
+    .ForEach(progress,
+      [&](vtkIdType i, vtkIdType, TextRow& row)
+      {
+        std::int32_t id;
+        return row.ReadId(id, 0, INT32_MAX, Id) && this->ReadValuesOf(row, i, piece.FindPoint(i));
+      });
 }
 
 //------------------------------------------------------------------------------

@@ -262,15 +262,16 @@ bool VisfReading::ReadTextPoints(
 {
   FaceMesh& mesh = content.Mesh;
   const TextLines* const lines = content.Lines.get();
+  TextScanner attempt = scanner;
   if (this->Request.NumberOfPieces > 1 && lines)
   {
-    TextScanner attempt = scanner;
-    const bool good = ReadRowsOnce(attempt, lines, points, progress,
-      [](vtkIdType, TextRow& text)
-      {
-        float x[3];
-        return text.ReadPoint(x, Coordinate);
-      });
+    const bool good = RowSequence(attempt, lines, points)
+                        .ForEach(progress,
+                          [](vtkIdType, vtkIdType, TextRow& text)
+                          {
+                            float x[3];
+                            return text.ReadPoint(x, Coordinate);
+                          });
     if (good)
     {
       mesh.Points = PointSource(nullptr, points, false);
@@ -278,31 +279,38 @@ bool VisfReading::ReadTextPoints(
                           const IdSet* wanted, const FaceMesh::PutPoint& put, const Progress& part)
       {
         TextScanner again = start;
-        return ReadRowsOnce(again, lines, points, part,
-          [&](vtkIdType row, TextRow& text)
-          {
-            float x[3];
-            if (wanted && !wanted->Contains(row))
+        return RowSequence(again, lines, points)
+          .ForEach(part,
+            [&](vtkIdType row, vtkIdType, TextRow& text)
             {
-              return true;
-            }
-            const bool good = text.ReadPoint(x, Coordinate);
-            if (good)
-            {
-              put(row, x);
-            }
-            return good;
-          });
+              float x[3];
+              if (wanted && !wanted->Contains(row))
+              {
+                return true;
+              }
+              const bool good = text.ReadPoint(x, Coordinate);
+              if (good)
+              {
+                put(row, x);
+              }
+              return good;
+            });
       };
       scanner = attempt;
       return true;
     }
+    attempt = scanner;
   }
   mesh.Floats = Buffer<float>(3 * points);
   mesh.Points = PointSource(reinterpret_cast<const char*>(mesh.Floats.data()), points, false);
-  return !progress.IsStopped() &&
-    ReadRows(scanner, lines, points, progress, [&mesh](vtkIdType row, TextRow& text)
-      { return text.ReadPoint(mesh.Floats.data() + 3 * row, Coordinate); });
+  const auto read = [&mesh](vtkIdType row, vtkIdType, TextRow& text)
+  { return text.ReadPoint(mesh.Floats.data() + 3 * row, Coordinate); };
+  if (lines && RowSequence(attempt, lines, points).ForEach(progress, read))
+  {
+    scanner = attempt;
+    return true;
+  }
+  return !progress.IsStopped() && RowSequence(scanner, nullptr, points).ForEach(progress, read);
 }
 
 //------------------------------------------------------------------------------

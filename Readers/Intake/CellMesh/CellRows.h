@@ -4,7 +4,7 @@
  * @file CellRows.h
  * @brief Reads cells of several types or sizes from rows of text in parallel.
  *
- * For cells of one type, fill CellMesh::Connectivity by ReadRows.
+ * For cells of one type, fill CellMesh::Connectivity by RowSequence::ForEach.
  */
 #ifndef camaron_CellRows_h
 #define camaron_CellRows_h
@@ -68,38 +68,17 @@ bool FillCells(std::vector<CellSink>& sinks, CellMesh& mesh, Scanner& scanner)
 }
 
 /**
- * Reads @a count rows by @a visit(row, TextRow&, CellSink&), which adds one cell per row, returns
- * false on errors, and must be thread-safe. Sets the cells of @a mesh, but not its number of
- * points. False with the error in the scanner, or if stopped.
- * @param lines of a text large enough for parallel reading, else nullptr
+ * Reads rows by @a visit(row, TextRow&, CellSink&), which adds one cell per row, returns false on
+ * errors, and must be thread-safe. Sets the cells of @a mesh, but not its number of points. False
+ * with the error in the scanner, or if stopped.
  */
 template <typename Visit>
-bool ReadCells(TextScanner& scanner, const TextLines* lines, vtkIdType count, CellMesh& mesh,
-  const Progress& progress, Visit&& visit, RowLayout layout = RowLayout::Free)
+bool ReadCells(const RowSequence& rows, CellMesh& mesh, const Progress& progress, Visit&& visit)
 {
-  std::vector<CellSink> sinks;
-  const TextLines::Section section =
-    lines ? lines->Find(scanner.GetPosition(), count) : TextLines::Section();
-  sinks.resize(section ? static_cast<std::size_t>(lines->GetNumberOfPieces(section)) : 1);
-  const bool inParallel = section &&
-    VisitRows(*lines, section, scanner.GetComment(), progress,
-      [&](vtkIdType row, vtkIdType piece, TextRow& text)
-      { return visit(row, text, sinks[piece]); });
-  if (inParallel)
-  {
-    scanner.SetPosition(section.End);
-  }
-  else
-  {
-    sinks.assign(1, CellSink());
-    if (!ReadRows(
-          scanner, nullptr, count, progress,
-          [&](vtkIdType row, TextRow& text) { return visit(row, text, sinks[0]); }, layout))
-    {
-      return false;
-    }
-  }
-  return FillCells(sinks, mesh, scanner);
+  std::vector<CellSink> sinks(rows.GetNumberOfParts());
+  return rows.ForEach(progress, [&](vtkIdType row, vtkIdType part, TextRow& text)
+           { return visit(row, text, sinks[static_cast<std::size_t>(part)]); }) &&
+    FillCells(sinks, mesh, rows.GetScanner());
 }
 }
 

@@ -29,12 +29,11 @@ public:
   };
 
   /**
-   * @param scanner where the rows begin
+   * @param scanner where the rows begin, see RowSequence
    * @param lines of a text large enough for parallel reading, else nullptr
    */
-  PieceRows(const TextScanner& scanner, const TextLines* lines, const Table& table)
-    : Start(scanner)
-    , Lines(lines)
+  PieceRows(TextScanner& scanner, const TextLines* lines, const Table& table)
+    : Rows(scanner, lines, table.NumberOfCells, RowLayout::OneLine)
     , Cells(table)
   {
   }
@@ -45,37 +44,34 @@ public:
    * Reads nothing if the piece is the whole mesh.
    */
   template <typename Visit>
-  bool Find(TextScanner& scanner, const PieceRequest& request, CellMeshPiece& piece,
-    const Progress& progress, Visit&& visit) const;
+  bool Find(const PieceRequest& request, CellMeshPiece& piece, const Progress& progress,
+    Visit&& visit) const;
 
   /**
    * Reads the cells of the piece into @a mesh by @a visit(row, TextRow&, points, cell), as above;
    * @a cell is the index in the piece. Moves the scanner behind all rows.
    */
   template <typename Visit>
-  bool Read(TextScanner& scanner, const CellMeshPiece& piece, CellMesh& mesh,
-    const Progress& progress, Visit&& visit) const;
+  bool Read(
+    const CellMeshPiece& piece, CellMesh& mesh, const Progress& progress, Visit&& visit) const;
 
 private:
   static constexpr int MostPoints = 20; ///< of cells of one type
 
-  TextScanner Start;
-  const TextLines* Lines;
+  RowSequence Rows;
   Table Cells;
 };
 
 //------------------------------------------------------------------------------
 template <typename Visit>
-bool PieceRows::Find(TextScanner& scanner, const PieceRequest& request, CellMeshPiece& piece,
-  const Progress& progress, Visit&& visit) const
+bool PieceRows::Find(
+  const PieceRequest& request, CellMeshPiece& piece, const Progress& progress, Visit&& visit) const
 {
   return piece.Find(this->Cells.NumberOfPoints, this->Cells.NumberOfCells, request,
     [&]
     {
-      scanner = this->Start;
-      return ReadRowsOnce(
-        scanner, this->Lines, this->Cells.NumberOfCells, progress,
-        [&](vtkIdType row, TextRow& text)
+      return this->Rows.ForEach(progress,
+        [&](vtkIdType row, vtkIdType, TextRow& text)
         {
           std::int32_t points[MostPoints];
           const bool good = visit(row, text, points);
@@ -84,28 +80,19 @@ bool PieceRows::Find(TextScanner& scanner, const PieceRequest& request, CellMesh
             piece.Visit(row, points, this->Cells.Size);
           }
           return good;
-        },
-        RowLayout::OneLine);
+        });
     });
 }
 
 //------------------------------------------------------------------------------
 template <typename Visit>
-bool PieceRows::Read(TextScanner& scanner, const CellMeshPiece& piece, CellMesh& mesh,
-  const Progress& progress, Visit&& visit) const
+bool PieceRows::Read(
+  const CellMeshPiece& piece, CellMesh& mesh, const Progress& progress, Visit&& visit) const
 {
   const std::int32_t size = this->Cells.Size;
   mesh = CellMesh(piece.GetNumberOfPoints(), piece.GetNumberOfCells(), this->Cells.Type, size);
-  scanner = this->Start;
-  if (piece.IsWhole())
-  {
-    return ReadRows(
-      scanner, this->Lines, this->Cells.NumberOfCells, progress, [&](vtkIdType row, TextRow& text)
-      { return visit(row, text, mesh.Connectivity.data() + size * row, row); }, RowLayout::OneLine);
-  }
-  return ReadRowsOnce(
-    scanner, this->Lines, this->Cells.NumberOfCells, progress,
-    [&](vtkIdType row, TextRow& text)
+  return this->Rows.ForEach(progress,
+    [&, isWhole = piece.IsWhole()](vtkIdType row, vtkIdType, TextRow& text)
     {
       const vtkIdType cell = piece.FindCell(row);
       if (cell < 0)
@@ -115,13 +102,12 @@ bool PieceRows::Read(TextScanner& scanner, const CellMeshPiece& piece, CellMesh&
       }
       std::int32_t* const points = mesh.Connectivity.data() + size * cell;
       const bool good = visit(row, text, points, cell);
-      for (std::int32_t i = 0; good && i < size; ++i)
+      for (std::int32_t i = 0; good && !isWhole && i < size; ++i)
       {
         points[i] = static_cast<std::int32_t>(piece.FindPoint(points[i]));
       }
       return good;
-    },
-    RowLayout::OneLine);
+    });
 }
 }
 

@@ -12,9 +12,8 @@
 #include "Intake/CellMesh/CellMeshPiece.h"
 #include "Intake/Rows/TextRows.h"
 
+#include "vtkDoubleArray.h"
 #include "vtkSmartPointer.h"
-
-class vtkDataArray;
 
 namespace camaron
 {
@@ -22,36 +21,61 @@ class PointRows
 {
 public:
   /**
-   * @param scanner where the rows begin
+   * @param scanner where the rows begin, see RowSequence
    * @param lines of a text large enough for parallel reading, else nullptr
    * @param what description of a number for errors, e.g. "a coordinate of a vertex"
    */
-  PointRows(const TextScanner& scanner, const TextLines* lines, vtkIdType count, const char* what)
-    : Start(scanner)
-    , Lines(lines)
-    , Count(count)
+  PointRows(TextScanner& scanner, const TextLines* lines, vtkIdType count, const char* what)
+    : Rows(scanner, lines, count, RowLayout::OneLine)
     , What(what)
   {
   }
 
-  /// Moves a scanner behind the rows; false with the error in the scanner, or if stopped.
-  bool Skip(TextScanner& scanner, const Progress& progress);
+  /// Moves the scanner behind the rows; false with the error in the scanner, or if stopped.
+  bool Skip(const Progress& progress) const
+  {
+    return this->Rows.Skip(progress,
+      [this](vtkIdType, vtkIdType, TextRow& row)
+      {
+        double x[3];
+        return row.ReadPoint(x, this->What);
+      });
+  }
 
-  /// Passes all points; they must be in lines if there are lines.
-  bool ForEach(const PieceOfSpace::Visit& visit, const Progress& progress) const;
+  /// Passes all points.
+  bool ForEach(const PieceOfSpace::Visit& visit, const Progress& progress) const
+  {
+    return this->Rows.ForEach(progress,
+      [&](vtkIdType i, vtkIdType, TextRow& row)
+      {
+        double x[3];
+        const bool good = row.ReadPoint(x, this->What);
+        if (good)
+        {
+          visit(i, x);
+        }
+        return good;
+      });
+  }
 
-  /**
-   * Coordinates of the points of a piece, in its order; nullptr if stopped, or if rows that were
-   * skipped as lines are invalid.
-   */
-  vtkSmartPointer<vtkDataArray> Read(const CellMeshPiece& piece, const Progress& progress) const;
+  /// Coordinates of the points of a piece, in its order; nullptr if rows that were skipped as lines
+  /// are invalid, or if stopped.
+  vtkSmartPointer<vtkDataArray> Read(const CellMeshPiece& piece, const Progress& progress) const
+  {
+    Buffer<double> coordinates(3 * piece.GetNumberOfPoints());
+    const bool good = this->Rows.ForEach(progress,
+      [&](vtkIdType i, vtkIdType, TextRow& row)
+      {
+        double unused[3];
+        const vtkIdType point = piece.FindPoint(i);
+        return row.ReadPoint(point < 0 ? unused : coordinates.data() + 3 * point, this->What);
+      });
+    return good ? coordinates.TakeArray<vtkDoubleArray>(3) : nullptr;
+  }
 
 private:
-  TextScanner Start;
-  const TextLines* Lines;
-  vtkIdType Count;
+  RowSequence Rows;
   const char* What;
-  const char* End = nullptr; ///< of the skipped rows
 };
 }
 

@@ -244,92 +244,108 @@ inline bool EndLine(TextScanner& scanner)
 }
 
 /**
- * Calls @a visit(row, piece, TextRow&) for the next @a count lines of a large text in parallel.
- * There are lines->GetNumberOfPieces(section) parts, each of which is visited in order by one
- * thread. Returns false if a visit did, or if stopped.
+ * @class camaron::RowSequence
+ * @brief The next rows of a text, to be read as often as needed: lines, in parallel, or one after
+ * the other, which also reports errors.
+ *
+ * With lines, there must be one row per line; otherwise reading fails without an error, and the
+ * text must be read without lines, see ReadText.
  */
-template <typename Visit>
-bool VisitRows(const TextLines& lines, const TextLines::Section& section, char comment,
-  const Progress& progress, Visit&& visit)
+class RowSequence
 {
-  return lines.ForEachToEnd(section, progress,
-    [&](vtkIdType piece, vtkIdType line, const char* text, const char* end)
+public:
+  /**
+   * Moves the scanner behind them if they are lines.
+   * @param lines of a text large enough for parallel reading, else nullptr
+   * @param skipsRest whether to ignore the rest of the line after every row; otherwise the next row
+   * begins there
+   */
+  RowSequence(TextScanner& scanner, const TextLines* lines, vtkIdType count,
+    RowLayout layout = RowLayout::Free, bool skipsRest = true)
+    : Scanner(scanner)
+    , Start(scanner)
+    , Lines(lines)
+    , Section(lines ? lines->Find(scanner.GetPosition(), count) : TextLines::Section())
+    , Count(count)
+    , Layout(layout)
+    , SkipsRest(skipsRest)
+  {
+    if (this->Section)
     {
-      TextRow row(text, end, comment);
-      return visit(line, piece, row) ? TextLines::GetEndOfLine(row.GetPosition(), end) : nullptr;
-    });
-}
-
-/// Reads rows as ReadRows does, if there is one per line; otherwise fails without an error.
-template <typename Visit>
-bool ReadRowsOfLines(TextScanner& scanner, const TextLines& lines, vtkIdType count,
-  const Progress& progress, Visit&& visit)
-{
-  const TextLines::Section section = lines.Find(scanner.GetPosition(), count);
-  if (!section ||
-    !VisitRows(lines, section, scanner.GetComment(), progress,
-      [&](vtkIdType row, vtkIdType, TextRow& text) { return visit(row, text); }))
-  {
-    return false;
-  }
-  scanner.SetPosition(section.End);
-  return true;
-}
-
-/**
- * Reads @a count rows by @a visit(row, TextRow&), which returns false on errors and must be
- * thread-safe; the rest of the line after each row is ignored. If reading lines in parallel fails,
- * all rows are visited again, in order. False with the error in the scanner, or if stopped.
- * @param lines of a text large enough for parallel reading, else nullptr
- */
-template <typename Visit>
-bool ReadRows(TextScanner& scanner, const TextLines* lines, vtkIdType count,
-  const Progress& progress, Visit&& visit, RowLayout layout = RowLayout::Free)
-{
-  if (lines && ReadRowsOfLines(scanner, *lines, count, progress, visit))
-  {
-    return true;
-  }
-  // Row by row: either there is not one row per line, or a row is invalid.
-  for (vtkIdType row = 0; row < count && !progress.IsStopped(); ++row)
-  {
-    TextRow text(scanner, layout);
-    if (!visit(row, text) || scanner.HasFailed())
-    {
-      return false;
+      scanner.SetPosition(this->Section.End);
     }
-    scanner.SkipLine();
   }
-  return !progress.IsStopped();
-}
 
-/**
- * As ReadRows, but visits every row exactly once, for example to count. With lines, there must be
- * one row per line; otherwise it fails without an error, and the text must be read without lines.
- */
-template <typename Visit>
-bool ReadRowsOnce(TextScanner& scanner, const TextLines* lines, vtkIdType count,
-  const Progress& progress, Visit&& visit, RowLayout layout = RowLayout::Free)
-{
-  return lines ? ReadRowsOfLines(scanner, *lines, count, progress, visit)
-               : ReadRows(scanner, nullptr, count, progress, visit, layout);
-}
+  vtkIdType GetCount() const { return this->Count; }
+  bool AreLines() const { return this->Lines != nullptr; }
+  /// Whether the rows exist, as far as is known.
+  explicit operator bool() const { return !this->Lines || this->Section; }
+  const TextLines::Section& GetSection() const { return this->Section; }
+  TextScanner& GetScanner() const { return this->Scanner; }
 
-/**
- * Skips @a count rows that are read later, when the needed ones are known. If there is not one row
- * per line, @a visit reads them to find their end, as in ReadRows.
- */
-template <typename Visit>
-bool SkipRows(TextScanner& scanner, const TextLines* lines, vtkIdType count,
-  const Progress& progress, Visit&& visit, RowLayout layout = RowLayout::Free)
-{
-  if (const TextLines::Section section =
-        lines ? lines->Find(scanner.GetPosition(), count) : TextLines::Section())
+  /// Number of parts; the rows of a part are visited in order by one thread.
+  std::size_t GetNumberOfParts() const
   {
-    scanner.SetPosition(section.End);
-    return true;
+    return this->Lines ? static_cast<std::size_t>(this->Lines->GetNumberOfPieces(this->Section))
+                       : 1;
   }
-  return ReadRows(scanner, nullptr, count, progress, visit, layout);
+
+  /// Calls @a visit(row, part, TextRow&) for all rows, and moves the scanner behind them if it is
+  /// before; false if a visit did, with the error in the scanner, or if stopped.
+  template <typename Visit>
+  bool ForEach(const Progress& progress, Visit&& visit) const;
+
+  /// Moves the scanner behind rows that are read later, when the needed ones are known: lines are
+  /// not visited, others to find their end.
+  template <typename Visit>
+  bool Skip(const Progress& progress, Visit&& visit) const
+  {
+    return this->Lines ? static_cast<bool>(this->Section) : this->ForEach(progress, visit);
+  }
+
+private:
+  TextScanner& Scanner;
+  TextScanner Start;
+  const TextLines* Lines;
+  TextLines::Section Section;
+  vtkIdType Count;
+  RowLayout Layout;
+  bool SkipsRest;
+};
+
+//------------------------------------------------------------------------------
+template <typename Visit>
+bool RowSequence::ForEach(const Progress& progress, Visit&& visit) const
+{
+  if (this->Lines)
+  {
+    return this->Section &&
+      this->Lines->ForEachToEnd(this->Section, progress,
+        [&, comment = this->Start.GetComment()](
+          vtkIdType part, vtkIdType line, const char* text, const char* end)
+        {
+          TextRow row(text, end, comment);
+          return visit(line, part, row) ? TextLines::GetEndOfLine(row.GetPosition(), end) : nullptr;
+        });
+  }
+  TextScanner scanner = this->Start;
+  bool isGood = true;
+  for (vtkIdType row = 0; row < this->Count && isGood; ++row)
+  {
+    scanner.SkipSpace();
+    TextRow text(scanner, this->Layout);
+    isGood = progress.Report(static_cast<double>(row) / this->Count) &&
+      visit(row, vtkIdType(0), text) && !scanner.HasFailed();
+    if (isGood && this->SkipsRest)
+    {
+      scanner.SkipLine();
+    }
+  }
+  if (!isGood || scanner.GetPosition() > this->Scanner.GetPosition())
+  {
+    this->Scanner = scanner;
+  }
+  return isGood && !progress.IsStopped();
 }
 
 /**

@@ -3,7 +3,6 @@
 #include "Intake/Rows/TableRows.h"
 
 #include "Base/Number.h"
-#include "Intake/Rows/RowSequence.h"
 
 #include <algorithm>
 #include <charconv>

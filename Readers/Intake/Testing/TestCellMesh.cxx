@@ -42,7 +42,7 @@ std::string MakeText(int cells, const char* separator = "\n")
 bool ReadPolygons(TextScanner& scanner, const TextLines* lines, int cells, CellMesh& mesh)
 {
   mesh.NumberOfPoints = cells + 4;
-  return ReadCells(scanner, lines, cells, mesh, Progress(),
+  return ReadCells(RowSequence(scanner, lines, cells), mesh, Progress(),
     [&](vtkIdType, TextRow& row, CellSink& sink)
     {
       std::int64_t size;
@@ -107,7 +107,9 @@ TEST(CellMesh, LinesAndStreamGiveTheSame)
     if (text == &oneLine)
     {
       // All records are in one line, of which only the first is read.
-      EXPECT_FALSE(ReadPolygons(scanner, &lines, Cells, mesh));
+      TextScanner attempt = scanner;
+      EXPECT_FALSE(ReadPolygons(attempt, &lines, Cells, mesh));
+      EXPECT_FALSE(ReadPolygons(scanner, nullptr, Cells, mesh));
       EXPECT_EQ(scanner.GetError().Kind, ErrorKind::Truncated);
       continue;
     }
@@ -135,7 +137,9 @@ TEST(CellMesh, AWrongIdNamesItsLine)
   TextScanner scanner("name", text.data(), text.data() + text.size());
   const TextLines lines(scanner, Progress(), 64);
   CellMesh mesh;
-  EXPECT_FALSE(ReadPolygons(scanner, &lines, 1000, mesh));
+  TextScanner attempt = scanner;
+  EXPECT_FALSE(ReadPolygons(attempt, &lines, 1000, mesh));
+  EXPECT_FALSE(ReadPolygons(scanner, nullptr, 1000, mesh));
   EXPECT_EQ(scanner.GetError().Kind, ErrorKind::Index);
   EXPECT_EQ(scanner.GetError().Message, "name:701: expected a point from 0 to 1003, found 99999");
 }
@@ -250,8 +254,8 @@ TEST(CellMesh, APieceOfRowsIsThatOfTheWhole)
       CellMesh mesh, expected(whole.NumberOfPoints, Cells, VTK_TRIANGLE, 3);
       std::copy(whole.Connectivity.data(), whole.Connectivity.data() + 3 * Cells,
         expected.Connectivity.data());
-      ASSERT_TRUE(rows.Find(scanner, request, piece, Progress(), read));
-      ASSERT_TRUE(rows.Read(scanner, piece, mesh, Progress(), read));
+      ASSERT_TRUE(rows.Find(request, piece, Progress(), read));
+      ASSERT_TRUE(rows.Read(piece, mesh, Progress(), read));
       EXPECT_FALSE(scanner.SkipSpace());
       ASSERT_TRUE(expectedPiece.Select(expected, request, Progress()));
       Warnings warnings, expectedWarnings;
@@ -286,8 +290,8 @@ TEST(CellMesh, APieceHasTheErrorOfTheWhole)
     CellMesh mesh;
     const auto read = [](vtkIdType, TextRow& row, std::int32_t* points, vtkIdType = 0)
     { return row.ReadId(points[0], 0, 6, "a point") && row.ReadId(points[1], 0, 6, "a point"); };
-    EXPECT_FALSE(rows.Find(scanner, request, piece, Progress(), read) &&
-      rows.Read(scanner, piece, mesh, Progress(), read));
+    EXPECT_FALSE(
+      rows.Find(request, piece, Progress(), read) && rows.Read(piece, mesh, Progress(), read));
     EXPECT_EQ(scanner.GetError().Message, "t:5: expected a point from 0 to 6, found 99");
   }
 }

@@ -257,11 +257,13 @@ TEST(ScanText, TablesDoNotDependOnChunks)
   TextScanner whole = MakeScanner(text);
   const auto read = [](TextScanner& scanner, const TextLines* lines, std::vector<double>& to)
   {
-    return ReadRows(scanner, lines, 1000, Progress(),
-      [&](vtkIdType row, TextRow& text)
-      {
-        return text.ReadReal(to[2 * row], "a number") && text.ReadReal(to[2 * row + 1], "a number");
-      });
+    return RowSequence(scanner, lines, 1000)
+      .ForEach(Progress(),
+        [&](vtkIdType row, vtkIdType, TextRow& text)
+        {
+          return text.ReadReal(to[2 * row], "a number") &&
+            text.ReadReal(to[2 * row + 1], "a number");
+        });
   };
   ASSERT_TRUE(read(whole, nullptr, expected));
   EXPECT_EQ(expected[1999], 499.5);
