@@ -201,20 +201,6 @@ void Planner::AddScalars(const std::vector<PLYListShape>& lists)
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkDataArray> MakeArray(ValueType type, int components, vtkIdType tuples)
-{
-  auto array = vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(GetVTKType(type)));
-  array->SetNumberOfComponents(components);
-  const vtkIdType size = tuples * components;
-  if (size > 0)
-  {
-    array->SetVoidArray(AllocateLarge(static_cast<std::size_t>(size) * GetSize(type)), size, 0,
-      vtkAbstractArray::VTK_DATA_ARRAY_FREE);
-  }
-  return array;
-}
-
-//------------------------------------------------------------------------------
 std::vector<PLYArrayPlan> PlanArrays(const PLYElement& element, PLYSubject subject,
   const std::map<std::string, int>& components, std::vector<bool> used,
   const std::vector<PLYListShape>& lists)

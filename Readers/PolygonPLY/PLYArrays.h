@@ -20,9 +20,6 @@ class vtkFieldData;
 
 namespace camaron
 {
-/// An array of exactly this size, not initialized.
-vtkSmartPointer<vtkDataArray> MakeArray(ValueType type, int components, vtkIdType tuples);
-
 /// An array, and the properties of an element that it is read from.
 struct PLYArrayPlan
 {

@@ -1,17 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Binary files of Cart3D.
-#include "Base/Parallel.h"
-#include "Intake/Rows/BinaryScanner.h"
+#include "Intake/CellMesh/CellLists.h"
 #include "TRIMesh.h"
 
-#include "vtkDoubleArray.h"
-#include "vtkFloatArray.h"
-#include "vtkIntArray.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
-#include <atomic>
 #include <initializer_list>
 #include <optional>
 
@@ -42,14 +37,6 @@ std::optional<ByteOrder> FindByteOrder(const MappedFile& file)
 }
 
 //------------------------------------------------------------------------------
-// The data between the two lengths of a record.
-struct Record
-{
-  const char* Begin = nullptr;
-  std::int64_t Size = 0;
-};
-
-//------------------------------------------------------------------------------
 class BinaryReading
 {
 public:
@@ -60,32 +47,32 @@ public:
   }
 
   bool Read(vtkUnstructuredGrid* grid, Warnings& warnings, const Progress& progress);
+
   BinaryScanner Scanner;
 
 private:
+  /// A record: the data between its two lengths, as a table of rows of one property.
+  struct Record
+  {
+    const char* Begin = nullptr;
+    std::int64_t Size = 0;
+    std::unique_ptr<TableRows> Rows;
+  };
+
   bool ReadRecord(Record& record, const char* what, std::initializer_list<std::int64_t> sizes);
   bool ReadCounts();
   bool FindRecords();
-  template <typename Value, typename Take>
-  bool ForEachRow(const Record& record, vtkIdType rows, std::int64_t size, const Progress& progress,
-    Take&& take) const;
-  bool VisitPoints(const PieceOfSpace::Visit& visit) const;
+  bool MakeRows(Record& record, vtkIdType rows, ValueType type, std::int64_t size);
   bool ReadCells(const Progress& progress);
-  template <typename Visit>
-  bool VisitTriangles(const Progress& progress, Visit&& visit);
-  template <typename Array, typename Find>
-  vtkSmartPointer<Array> ReadArray(const Record& record, vtkIdType rows, std::int64_t size,
-    vtkIdType kept, const Progress& progress, Find&& find) const;
-  vtkSmartPointer<vtkDataArray> ReadReals(
-    const Record& record, std::int64_t size, const Progress& progress) const;
+  vtkSmartPointer<vtkDataArray> ReadArray(
+    const Record& record, vtkIdType tuples, const IdSet& kept, const Progress& progress) const;
 
   PieceRequest Request;
   std::int32_t Vertices = 0;
   std::int32_t Triangles = 0;
   std::int32_t Scalars = 0;
-  std::int64_t ScalarSize = 0; // numbers per vertex
-  std::int64_t RealBytes = 4;
-  Record Coordinates, Corners, Components, Values;
+  Record Coordinates, Components, Values;
+  CellLists::Part Corners;
   TRIMesh Mesh;
 };
 
@@ -152,165 +139,93 @@ bool BinaryReading::ReadCounts()
 }
 
 //------------------------------------------------------------------------------
+// Makes the data of a record rows of so many values.
+bool BinaryReading::MakeRows(Record& record, vtkIdType rows, ValueType type, std::int64_t size)
+{
+  Table table;
+  table.Count = rows;
+  table.Properties.push_back({ "", type });
+  table.Properties[0].Length = static_cast<int>(size);
+  const char* const end = this->Scanner.GetPosition();
+  this->Scanner.SetPosition(record.Begin);
+  record.Rows = MakeBinaryRows(table, this->Scanner);
+  const bool good = record.Rows->Locate(Progress());
+  this->Scanner.SetPosition(end);
+  return good;
+}
+
+//------------------------------------------------------------------------------
 bool BinaryReading::FindRecords()
 {
   const std::int64_t vertices = this->Vertices, triangles = this->Triangles;
   constexpr std::int64_t FloatBytes = sizeof(float), DoubleBytes = sizeof(double);
+  Record corners;
   if (!this->ReadRecord(this->Coordinates, "the coordinates of the vertices",
         { 3 * FloatBytes * vertices, 3 * DoubleBytes * vertices }) ||
-    !this->ReadRecord(this->Corners, "the vertices of the triangles", { 3 * Word * triangles }))
+    !this->ReadRecord(corners, "the vertices of the triangles", { 3 * Word * triangles }))
   {
     return false;
   }
-  this->RealBytes = this->Coordinates.Size > 3 * FloatBytes * vertices ? DoubleBytes : FloatBytes;
-  if (this->Scalars == 0 && this->Scanner.GetBytesLeft() == 0)
-  {
-    return true;
-  }
-  const std::int64_t column = this->RealBytes * vertices; // of a scalar
-  if (!this->ReadRecord(
-        this->Components, "the components of the triangles", { Word * triangles }) ||
-    (this->Scalars > 0 &&
-      !this->ReadRecord(this->Values, "the scalars of the vertices",
-        { column * this->Scalars, column * (this->Scalars + std::int64_t(1)) })))
+  const bool isDouble = this->Coordinates.Size > 3 * FloatBytes * vertices;
+  const ValueType real = isDouble ? ValueType::Double : ValueType::Float;
+  const std::int64_t column = (isDouble ? DoubleBytes : FloatBytes) * vertices; // of a scalar
+  const bool hasMore = this->Scalars > 0 || this->Scanner.GetBytesLeft() > 0;
+  if (hasMore &&
+    (!this->ReadRecord(this->Components, "the components of the triangles", { Word * triangles }) ||
+      (this->Scalars > 0 &&
+        !this->ReadRecord(this->Values, "the scalars of the vertices",
+          { column * this->Scalars, column * (this->Scalars + std::int64_t(1)) }))))
   {
     return false;
   }
-  this->ScalarSize = vertices > 0 ? this->Values.Size / column : 0;
-  return true;
-}
-
-//------------------------------------------------------------------------------
-// Calls take(row, values) for rows of a record, in any order and from any thread; false if aborted.
-template <typename Value, typename Take>
-bool BinaryReading::ForEachRow(const Record& record, vtkIdType rows, std::int64_t size,
-  const Progress& progress, Take&& take) const
-{
-  const bool swap = this->Scanner.IsSwapped();
-  constexpr auto Bytes = static_cast<std::int64_t>(sizeof(Value));
-  return progress.For(rows,
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      std::vector<Value> values(static_cast<std::size_t>(size));
-      for (vtkIdType row = begin; row < end; ++row)
-      {
-        for (std::int64_t i = 0; i < size; ++i)
-        {
-          values[i] = Load<Value>(record.Begin + (row * size + i) * Bytes, swap);
-        }
-        take(row, values.data());
-      }
-    });
-}
-
-//------------------------------------------------------------------------------
-// Calls visit(triangle, points), in any order and from any thread; false with the error, or if
-// aborted.
-template <typename Visit>
-bool BinaryReading::VisitTriangles(const Progress& progress, Visit&& visit)
-{
-  std::atomic<vtkIdType> wrong{ VTK_ID_MAX }; // corner
-  const bool isDone = this->ForEachRow<std::int32_t>(this->Corners, this->Triangles, 3, progress,
-    [&](vtkIdType triangle, std::int32_t* points)
-    {
-      for (int i = 0; i < 3; ++i)
-      {
-        if (points[i] < 1 || points[i] > this->Vertices)
-        {
-          LowerTo(wrong, 3 * triangle + i);
-          return;
-        }
-        --points[i];
-      }
-      visit(triangle, points);
-    });
-  if (isDone && wrong < VTK_ID_MAX)
-  {
-    const char* const place = this->Corners.Begin + Word * wrong;
-    return this->Scanner.FailAt(place, ErrorKind::Index,
-      "a vertex of a triangle from 1 to " + std::to_string(this->Vertices),
-      std::to_string(Load<std::int32_t>(place, this->Scanner.IsSwapped())));
-  }
-  return isDone;
-}
-
-//------------------------------------------------------------------------------
-bool BinaryReading::VisitPoints(const PieceOfSpace::Visit& visit) const
-{
-  const auto pass = [&visit](vtkIdType vertex, const auto* from)
-  {
-    const double x[3] = { from[0], from[1], from[2] };
-    visit(vertex, x);
-  };
-  return this->RealBytes == 8
-    ? this->ForEachRow<double>(this->Coordinates, this->Vertices, 3, Progress(), pass)
-    : this->ForEachRow<float>(this->Coordinates, this->Vertices, 3, Progress(), pass);
+  const std::int64_t scalars = vertices > 0 ? this->Values.Size / column : 0;
+  const bool good = this->MakeRows(this->Coordinates, vertices, real, 3) &&
+    this->MakeRows(corners, triangles, ValueType::Int32, 3) &&
+    (!hasMore || triangles == 0 ||
+      this->MakeRows(this->Components, triangles, ValueType::Int32, 1)) &&
+    (scalars == 0 || this->MakeRows(this->Values, vertices, real, scalars));
+  this->Corners.Rows = std::move(corners.Rows);
+  return good;
 }
 
 //------------------------------------------------------------------------------
 bool BinaryReading::ReadCells(const Progress& progress)
 {
   CellMeshPiece& piece = this->Mesh.Piece;
-  CellMesh& cells = this->Mesh.Cells;
-  piece.SetPoints([this](const PieceOfSpace::Visit& visit) { return this->VisitPoints(visit); });
+  piece.SetPoints([this](const PieceOfSpace::Visit& visit)
+    { return this->Coordinates.Rows->ForEachPoint({ 0, 0, 0 }, visit); });
   if (this->Triangles == 0)
   {
-    return MakeCloud(this->Vertices, this->Request, piece, cells);
+    return MakeCloud(this->Vertices, this->Request, piece, this->Mesh.Cells);
   }
-  if (!piece.Find(this->Vertices, this->Triangles, this->Request,
-        [&]
-        {
-          return this->VisitTriangles(progress.Part(0, 0.5),
-            [&](vtkIdType triangle, const std::int32_t* points)
-            { piece.Visit(triangle, points, 3); });
-        }))
-  {
-    return false;
-  }
-  cells = CellMesh(piece.GetNumberOfPoints(), piece.GetNumberOfCells(), VTK_TRIANGLE, 3);
-  return this->VisitTriangles(progress.Part(0.5, 1),
-    [&](vtkIdType triangle, const std::int32_t* points)
-    {
-      const vtkIdType cell = piece.FindCell(triangle);
-      for (int i = 0; i < 3 && cell >= 0; ++i)
-      {
-        cells.Connectivity[3 * cell + i] = static_cast<std::int32_t>(piece.FindPoint(points[i]));
-      }
-    });
+  this->Corners.List = 0;
+  this->Corners.Expected = ListIds::FromOne("a vertex of a triangle", this->Vertices);
+  CellLists cells;
+  const bool good =
+    cells.Read({ &this->Corners }, this->Vertices, false, this->Request, piece, progress);
+  this->Mesh.Cells = std::move(cells.Mesh);
+  return good;
 }
 
 //------------------------------------------------------------------------------
-// The rows of a record that the piece keeps, each stored at find(row).
-template <typename Array, typename Find>
-vtkSmartPointer<Array> BinaryReading::ReadArray(const Record& record, vtkIdType rows,
-  std::int64_t size, vtkIdType kept, const Progress& progress, Find&& find) const
+// The rows of a record that the piece keeps.
+vtkSmartPointer<vtkDataArray> BinaryReading::ReadArray(
+  const Record& record, vtkIdType tuples, const IdSet& kept, const Progress& progress) const
 {
-  using Value = typename Array::ValueType;
-  Buffer<Value> values(kept * size);
-  this->ForEachRow<Value>(record, rows, size, progress,
-    [&](vtkIdType row, const Value* from)
-    {
-      if (const vtkIdType place = find(row); place >= 0)
-      {
-        std::copy(from, from + size, values.data() + place * size);
-      }
-    });
-  return values.template TakeArray<Array>(static_cast<int>(size));
-}
-
-//------------------------------------------------------------------------------
-vtkSmartPointer<vtkDataArray> BinaryReading::ReadReals(
-  const Record& record, std::int64_t size, const Progress& progress) const
-{
-  const CellMeshPiece& piece = this->Mesh.Piece;
-  const auto find = [&](vtkIdType vertex) { return piece.FindPoint(vertex); };
-  if (this->RealBytes == 8)
+  const TableProperty& property = record.Rows->GetTable().Properties[0];
+  const int size = property.Length;
+  auto array = MakeArray(property.Type, size, tuples);
+  TableTargets targets;
+  targets.Kept = this->Mesh.Piece.IsWhole() ? nullptr : &kept;
+  std::vector<TableColumn> columns;
+  columns.reserve(static_cast<std::size_t>(size));
+  for (int i = 0; tuples > 0 && i < size; ++i)
   {
-    return this->ReadArray<vtkDoubleArray>(
-      record, this->Vertices, size, piece.GetNumberOfPoints(), progress, find);
+    columns.push_back({ 0, i, ValueConversion::Value, property.Type,
+      static_cast<char*>(array->GetVoidPointer(0)) + i * GetSize(property.Type), size });
   }
-  return this->ReadArray<vtkFloatArray>(
-    record, this->Vertices, size, piece.GetNumberOfPoints(), progress, find);
+  record.Rows->ReadColumns(columns, targets, progress);
+  return array;
 }
 
 //------------------------------------------------------------------------------
@@ -320,16 +235,18 @@ bool BinaryReading::Read(vtkUnstructuredGrid* grid, Warnings& warnings, const Pr
   {
     return false;
   }
-  this->Mesh.Points = this->ReadReals(this->Coordinates, 3, progress.Part(0.5, 0.7));
-  if (this->Triangles > 0 && this->Components.Begin)
+  const CellMeshPiece& piece = this->Mesh.Piece;
+  this->Mesh.Points = this->ReadArray(
+    this->Coordinates, piece.GetNumberOfPoints(), piece.GetPoints(), progress.Part(0.5, 0.7));
+  if (this->Components.Rows)
   {
-    this->Mesh.Components = this->ReadArray<vtkIntArray>(this->Components, this->Triangles, 1,
-      this->Mesh.Piece.GetNumberOfCells(), progress.Part(0.7, 0.8),
-      [&](vtkIdType triangle) { return this->Mesh.Piece.FindCell(triangle); });
+    this->Mesh.Components = this->ReadArray(
+      this->Components, piece.GetNumberOfCells(), piece.GetCells(), progress.Part(0.7, 0.8));
   }
-  if (this->ScalarSize > 0)
+  if (this->Values.Rows)
   {
-    this->Mesh.Scalars = this->ReadReals(this->Values, this->ScalarSize, progress.Part(0.8, 0.9));
+    this->Mesh.Scalars = this->ReadArray(
+      this->Values, piece.GetNumberOfPoints(), piece.GetPoints(), progress.Part(0.8, 0.9));
   }
   if (progress.IsStopped())
   {

@@ -42,12 +42,12 @@ private:
   bool FailAtId(vtkIdType row, int property, vtkIdType item, const ListIds& expected) override;
 
   bool HasOneLength() const { return this->Stride > 0; }
-  /// Length of a list of the first row.
+  /// Number of values of a property of the first row.
   std::int32_t GetFirstLength(std::size_t property) const
   {
     const TableProperty& list = this->Stored[property];
     const std::ptrdiff_t bytes =
-      this->Offsets[property + 1] - this->Offsets[property] - GetSize(list.CountType);
+      this->Offsets[property + 1] - this->Offsets[property] - list.GetHeaderSize();
     return static_cast<std::int32_t>(bytes / GetSize(list.Type));
   }
   int FindProperties(const char*& place, const char* end, PropertyPlaces& places) const;
@@ -82,9 +82,9 @@ int BinaryTable::FindProperties(const char*& place, const char* end, PropertyPla
   for (int i = 0; i < count; ++i)
   {
     const TableProperty& property = this->Stored[i];
-    const std::int64_t header = property.IsList ? GetSize(property.CountType) : 0;
+    const std::int64_t header = property.GetHeaderSize();
     places[i] = place;
-    std::int64_t length = 1, room = end - place - header;
+    std::int64_t length = property.Length, room = end - place - header;
     if (property.IsList && room >= 0)
     {
       length = this->LoadLength(property.CountType, place);
@@ -129,7 +129,7 @@ bool BinaryTable::Locate(const Progress& progress)
   std::ptrdiff_t least = 0; // bytes of a row with empty lists
   for (const TableProperty& property : this->Stored)
   {
-    least += GetSize(property.IsList ? property.CountType : property.Type);
+    least += property.IsList ? property.GetHeaderSize() : property.Length * GetSize(property.Type);
   }
   if (count == 0 || least == 0)
   {
@@ -373,12 +373,12 @@ bool BinaryTable::FindLists(int property, const ListSizes& sizes, ListRows& rows
 {
   const TableProperty& stored = this->Stored[property];
   constexpr std::ptrdiff_t idSize = sizeof(std::int32_t);
-  if (!stored.IsList || GetSize(stored.Type) != idSize || IsReal(stored.Type) ||
+  if (GetSize(stored.Type) != idSize || IsReal(stored.Type) ||
     (!this->HasOneLength() && this->List != property))
   {
     return false;
   }
-  rows.Begin = this->Data + this->Offsets[property] + GetSize(stored.CountType);
+  rows.Begin = this->Data + this->Offsets[property] + stored.GetHeaderSize();
   rows.Rest = this->HasOneLength() ? this->Stride - idSize * sizes.Common : this->Rest;
   rows.Swap = this->Swap;
   rows.Size = sizes.Common;
@@ -437,13 +437,14 @@ bool BinaryTable::FailAtId(vtkIdType row, int property, vtkIdType item, const Li
   }
   const char* found = nullptr;
   rows.Properties[property].ForEach(rows.Count, [&](int, const char* place) { found = place; });
-  found += stored.IsList ? GetSize(stored.CountType) + item * GetSize(stored.Type) : 0;
+  found += stored.GetHeaderSize() + item * GetSize(stored.Type);
   std::string number;
   WithType(
     stored.Type, [&](auto in) { AppendNumber(number, Load<decltype(in)>(found, this->Swap)); });
+  const std::string& name = this->Description.Name;
   return this->Scanner.FailAt(found, ErrorKind::Index,
-    DescribeIds(expected) + " in " + this->Quote(this->Description.Name) + " " +
-      std::to_string(row),
+    DescribeIds(expected) +
+      (name.empty() ? "" : " in " + this->Quote(name) + " " + std::to_string(row)),
     number);
 }
 }

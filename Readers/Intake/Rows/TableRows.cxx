@@ -142,7 +142,7 @@ bool TableRows::CopyIds(
   const Block& rows, int property, const ListSizes& sizes, std::int32_t* ids) const
 {
   const TableProperty& stored = this->Stored[property];
-  const std::ptrdiff_t header = stored.IsList ? GetSize(stored.CountType) : 0;
+  const std::ptrdiff_t header = stored.GetHeaderSize();
   const bool swap = this->Swap;
   bool good = true;
   WithType(stored.Type,
@@ -284,14 +284,14 @@ void TableRows::ReadColumn(
     [&](auto in, auto out, auto convert)
     {
       using In = decltype(in);
+      const std::ptrdiff_t item = property.GetHeaderSize() +
+        std::max(column.Item, 0) * static_cast<std::ptrdiff_t>(sizeof(In));
       if (!property.IsList)
       {
-        forEach(
-          out, [&](const char* place, auto& value) { value = convert(Load<In>(place, swap)); });
+        forEach(out,
+          [&](const char* place, auto& value) { value = convert(Load<In>(place + item, swap)); });
         return;
       }
-      const std::ptrdiff_t item =
-        GetSize(property.CountType) + column.Item * static_cast<std::ptrdiff_t>(sizeof(In));
       forEach(out,
         [&](const char* place, auto& value)
         {
@@ -350,8 +350,9 @@ bool TableRows::ForEachPoint(
       {
         if (properties[c] >= 0)
         {
-          const TableColumn column = { properties[c], -1, ValueConversion::Value, ValueType::Float,
-            values + c, 3 };
+          const int item = this->Stored[properties[c]].Length > 1 ? c : -1;
+          const TableColumn column = { properties[c], item, ValueConversion::Value,
+            ValueType::Float, values + c, 3 };
           this->ReadColumn(rows, column, nullptr, -rows.First);
         }
       }

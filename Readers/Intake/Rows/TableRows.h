@@ -42,11 +42,15 @@ struct TableProperty
   ValueType Type;
   bool IsList = false;
   ValueType CountType = ValueType::UInt8; ///< of the length of a list
+  int Length = 1;                         ///< values of a binary row, unless it is a list
+
+  /// Bytes before the values.
+  int GetHeaderSize() const { return this->IsList ? GetSize(this->CountType) : 0; }
 };
 
 struct Table
 {
-  std::string Name; ///< of a row, e.g. "face"
+  std::string Name; ///< of a row, e.g. "face"; errors about ids do not name rows without a name
   vtkIdType Count = 0;
   std::vector<TableProperty> Properties; ///< the name of a list is a plural, e.g. "points"
   bool HasNamesOfFile = false; ///< whether messages quote these names, as the file has them, too
@@ -59,11 +63,12 @@ enum class ValueConversion : unsigned char
   Color  ///< a value from 0 to 255: integers unchanged, real numbers scaled from 0 to 1
 };
 
-/// The target of the values of a property; of a list, of one of its items or of its length.
+/// The target of the values of a property; of several values, of one of them; of a list, of one of
+/// its items or of its length.
 struct TableColumn
 {
   int Property;
-  int Item; ///< of a list; -1 for its length
+  int Item; ///< of several values or a list; -1 for a single value or the length of a list
   ValueConversion Conversion;
   ValueType Type; ///< of the array: that of the property, a real type, or UInt8 for colors
   void* Values;   ///< of the component of the first tuple
@@ -177,7 +182,8 @@ public:
     const Progress& progress);
   bool ReadColumns(
     const std::vector<TableColumn>& columns, const TableTargets& targets, const Progress& progress);
-  /// Passes three properties of every row in parallel, in single precision; 0 for -1.
+  /// Passes three properties of every row in parallel, in single precision; 0 for -1. If they are
+  /// one property, these are its first three values.
   bool ForEachPoint(
     const std::vector<int>& properties, FunctionRef<void(vtkIdType row, const double* x)> visit);
   ///@}

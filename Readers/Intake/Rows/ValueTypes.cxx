@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Intake/Rows/ValueTypes.h"
 
+#include "Base/Buffer.h"
+
+#include "vtkDataArray.h"
 #include "vtkSetGet.h" // for vtkTemplateMacro
 
 #include <type_traits>
@@ -45,5 +48,19 @@ ValueType GetRealType(ValueType a, ValueType b)
   const auto fitsFloat = [](ValueType type)
   { return type == ValueType::Float || GetSize(type) <= 2; };
   return fitsFloat(a) && fitsFloat(b) ? ValueType::Float : ValueType::Double;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkDataArray> MakeArray(ValueType type, int components, vtkIdType tuples)
+{
+  auto array = vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(GetVTKType(type)));
+  array->SetNumberOfComponents(components);
+  const vtkIdType size = tuples * components;
+  if (size > 0)
+  {
+    array->SetVoidArray(AllocateLarge(static_cast<std::size_t>(size) * GetSize(type)), size, 0,
+      vtkAbstractArray::VTK_DATA_ARRAY_FREE);
+  }
+  return array;
 }
 }

@@ -7,10 +7,13 @@
 #ifndef camaron_ValueTypes_h
 #define camaron_ValueTypes_h
 
-#include "vtkType.h" // for VTK's types
+#include "vtkSmartPointer.h" // for arrays
+#include "vtkType.h"         // for VTK's types
 
 #include <cstdint>     // for integers of known size
 #include <type_traits> // for signs
+
+class vtkDataArray;
 
 namespace camaron
 {
@@ -86,6 +89,9 @@ inline const char* GetName(ValueType type)
 int GetVTKType(ValueType type);
 /// The type that stores all values of a VTK array; false if it is not numeric.
 bool FindType(int vtkType, ValueType& type);
+
+/// An array of exactly this size, not initialized.
+vtkSmartPointer<vtkDataArray> MakeArray(ValueType type, int components, vtkIdType tuples);
 
 /// The smallest real type that stores all values of both exactly, as far as double does.
 ValueType GetRealType(ValueType a, ValueType b);
