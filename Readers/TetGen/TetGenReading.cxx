@@ -2,9 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TetGenReading.h"
 
+#include "Intake/CellMesh/CellGrid.h"
 #include "Intake/Pieces/ReadMappedFile.h"
-#include "TetGenAssembly.h"
+#include "TetGenFacets.h"
+#include "TetGenMidpoints.h"
+#include "TetGenNeighbors.h"
 
+#include "vtkFieldData.h"
 #include "vtkUnstructuredGrid.h"
 
 namespace camaron
@@ -12,10 +16,305 @@ namespace camaron
 namespace
 {
 //------------------------------------------------------------------------------
-// Finds the companion files and reads the mesh.
-bool ReadFiles(const MappedFile& file, MappedFile& nodes, MappedFile& elements,
-  const std::string& path, TetGenAssembly& assembly, ScanError& error, const Progress& progress)
+// Assembles a mesh, or a piece of it, from its files. A file may be read in several passes, each of
+// them within ReadText.
+class TetGenAssembly
 {
+public:
+  TetGenAssembly(const PieceRequest& request, vtkUnstructuredGrid* grid, vtkIdType chunk,
+    Warnings& warnings, ScanError& error)
+    : Request(request)
+    , Grid(grid)
+    , Chunk(chunk)
+    , Messages(warnings)
+    , Error(error)
+  {
+  }
+
+  /// Finds the companions of a file and reads the mesh.
+  bool Read(const MappedFile& file, const std::string& path, const Progress& progress)
+  {
+    const bool good = this->ReadFiles(file, path, progress);
+    return this->NodeFile.IsUnchanged(this->Error) && this->ElementFile.IsUnchanged(this->Error) &&
+      good;
+  }
+
+private:
+  bool ReadFiles(const MappedFile& file, const std::string& path, const Progress& progress);
+  /// Reads points, each of which becomes a cell.
+  bool ReadCloud(const MappedFile& nodes, const Progress& progress);
+  /// Reads cells of one type, and their neighbors if that file is given.
+  bool ReadTable(const MappedFile& cells, TetGenKind kind, const MappedFile& nodes,
+    const MappedFile* neighbors, const Progress& progress);
+  /// Reads facets, or segments in 2D; @a nodes may be the same file.
+  bool ReadComplex(
+    const MappedFile& file, bool isSmesh, const MappedFile& nodes, const Progress& progress);
+  template <typename Read>
+  bool ReadFile(const MappedFile& file, const Progress& progress, Read&& read)
+  {
+    return ReadText(file, '#', this->Chunk, this->Error, progress, read);
+  }
+  bool IsWhole() const { return this->Request.NumberOfPieces <= 1; }
+  bool ReadNodes(const MappedFile& file, bool isLast, const Progress& progress);
+  bool ReadNeighbors(const MappedFile& file, const TetGenCells& cells, const Progress& progress);
+  void OrderMidpoints(CellMesh& mesh, int corners);
+  bool Fill(const MappedFile& nodes, CellMesh& mesh, int corners, const Progress& progress);
+  bool FillCloud(const MappedFile& nodes, const Progress& progress);
+  bool FinishTable(
+    TetGenCells& cells, const MappedFile& nodes, bool hasNeighbors, const Progress& progress);
+  void WarnOfMore(TextScanner& scanner, const MappedFile& file);
+
+  PieceRequest Request;
+  vtkUnstructuredGrid* Grid;
+  vtkIdType Chunk;
+  Warnings& Messages;
+  ScanError& Error;
+  MappedFile NodeFile, ElementFile; ///< companions
+  TetGenNodes Nodes;
+  TetGenNeighbors Neighbors;
+  CellMeshPiece Piece;
+  std::ptrdiff_t EndOfNodes = 0; ///< in their file
+  std::string More;              ///< warning about data after the end
+};
+
+//------------------------------------------------------------------------------
+void TetGenAssembly::WarnOfMore(TextScanner& scanner, const MappedFile& file)
+{
+  if (scanner.SkipSpace())
+  {
+    this->More = "there is more data after the end of " + file.GetName();
+  }
+}
+
+//------------------------------------------------------------------------------
+bool TetGenAssembly::ReadNodes(const MappedFile& file, bool isLast, const Progress& progress)
+{
+  this->Piece.SetPoints(
+    [this, &file](const PieceOfSpace::Visit& visit)
+    {
+      return this->ReadFile(file, Progress(),
+        [&](TextScanner& scanner, const TextLines* lines, const Progress& part)
+        { return this->Nodes.ForEach(scanner, lines, visit, part); });
+    });
+  return this->ReadFile(file, progress,
+    [&](TextScanner& scanner, const TextLines* lines, const Progress& part)
+    {
+      this->More.clear();
+      if (!this->Nodes.Read(scanner, lines, this->IsWhole(), part))
+      {
+        return false;
+      }
+      this->EndOfNodes = scanner.GetPosition() - file.begin();
+      if (isLast)
+      {
+        this->WarnOfMore(scanner, file);
+      }
+      return true;
+    });
+}
+
+//------------------------------------------------------------------------------
+bool TetGenAssembly::ReadNeighbors(
+  const MappedFile& file, const TetGenCells& cells, const Progress& progress)
+{
+  IdMap ids;
+  ids.Build(cells.GetAllIds().data(), cells.GetAllIds().size());
+  return this->ReadFile(file, progress,
+    [&](TextScanner& scanner, const TextLines* lines, const Progress& part)
+    { return this->Neighbors.Read(scanner, lines, cells, this->Piece, ids, part); });
+}
+
+//------------------------------------------------------------------------------
+void TetGenAssembly::OrderMidpoints(CellMesh& mesh, int corners)
+{
+  double x[10][3]; // of the nodes of a quadratic tetrahedron
+  this->Nodes.GetAnswer(x);
+  TetGenMidpointOrder order;
+  if (!FindMidpointOrder(corners, x, order) && this->Request.Piece == 0)
+  {
+    this->Messages.Add(
+      "the midside nodes of the first element are far from the middle of its edges in any order; "
+      "the order of TetGen 1.5 and Triangle is assumed");
+  }
+  camaron::OrderMidpoints(mesh, corners, order);
+}
+
+//------------------------------------------------------------------------------
+// Reads the nodes that the piece needs and builds the grid, without cell arrays. If corners is
+// positive, midside nodes are reordered; the nodes of the first cell have been requested for that.
+bool TetGenAssembly::Fill(
+  const MappedFile& nodes, CellMesh& mesh, int corners, const Progress& progress)
+{
+  if (!this->IsWhole() &&
+    !this->ReadFile(nodes, progress.Part(0, 0.7),
+      [&](TextScanner& scanner, const TextLines* lines, const Progress& part)
+      { return this->Nodes.ReadValues(scanner, lines, this->Piece, part); }))
+  {
+    return false;
+  }
+  if (corners > 0)
+  {
+    this->OrderMidpoints(mesh, corners);
+  }
+  const auto points = this->Nodes.TakePoints();
+  if (this->Request.Piece == 0)
+  {
+    this->Nodes.Warn(this->Messages);
+    this->Piece.WarnOfRepeatedPoints(mesh, this->Messages, progress.Part(0.7, 0.9));
+    if (!this->More.empty())
+    {
+      this->Messages.Add(this->More);
+    }
+  }
+  FillGrid(mesh, this->Piece, points, this->Grid);
+  this->Nodes.AddArrays(this->Grid, this->Piece);
+  return !progress.IsStopped();
+}
+
+//------------------------------------------------------------------------------
+bool TetGenAssembly::FillCloud(const MappedFile& nodes, const Progress& progress)
+{
+  CellMesh mesh;
+  return MakeCloud(this->Nodes.GetCount(), this->Request, this->Piece, mesh) &&
+    this->Fill(nodes, mesh, 0, progress);
+}
+
+//------------------------------------------------------------------------------
+bool TetGenAssembly::ReadCloud(const MappedFile& nodes, const Progress& progress)
+{
+  return this->ReadNodes(nodes, true, progress.Part(0, 0.6)) &&
+    this->FillCloud(nodes, progress.Part(0.6, 1));
+}
+
+//------------------------------------------------------------------------------
+bool TetGenAssembly::ReadTable(const MappedFile& file, TetGenKind kind, const MappedFile& nodes,
+  const MappedFile* neighbors, const Progress& progress)
+{
+  TetGenCells cells(kind);
+  if (neighbors)
+  {
+    cells.KeepAllIds();
+  }
+  if (!this->ReadNodes(nodes, false, progress.Part(0, 0.3)) ||
+    !this->ReadFile(file, progress.Part(0.3, 0.7),
+      [&](TextScanner& scanner, const TextLines* lines, const Progress& part)
+      {
+        this->More.clear();
+        const bool good = cells.Read(scanner, lines, this->Nodes, this->Request, this->Piece, part);
+        this->WarnOfMore(scanner, file);
+        return good;
+      }))
+  {
+    return false;
+  }
+  if (kind == TetGenKind::Ele && cells.GetCount() == 0)
+  {
+    return this->FillCloud(nodes, progress.Part(0.7, 1));
+  }
+  return (!neighbors || this->ReadNeighbors(*neighbors, cells, progress.Part(0.7, 0.8))) &&
+    this->FinishTable(cells, nodes, neighbors != nullptr, progress.Part(0.8, 1));
+}
+
+//------------------------------------------------------------------------------
+bool TetGenAssembly::FinishTable(
+  TetGenCells& cells, const MappedFile& nodes, bool hasNeighbors, const Progress& progress)
+{
+  const int corners = cells.GetNumberOfCorners();
+  const bool hasOrder = cells.IsQuadratic() && corners > 2 && cells.GetCount() > 0;
+  if (hasOrder)
+  {
+    this->Nodes.Ask(cells.GetFirstCell());
+  }
+  if (!this->Fill(nodes, cells.GetMesh(), hasOrder ? corners : 0, progress))
+  {
+    return false;
+  }
+  if (this->Request.Piece == 0)
+  {
+    cells.Warn(this->Messages);
+  }
+  cells.AddArrays(this->Grid);
+  if (hasNeighbors)
+  {
+    this->Neighbors.AddArrays(this->Grid);
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool TetGenAssembly::ReadComplex(
+  const MappedFile& file, bool isSmesh, const MappedFile& nodes, const Progress& progress)
+{
+  const bool isOwn = &nodes == &file;
+  if (!this->ReadNodes(nodes, false, progress.Part(0, 0.3)))
+  {
+    return false;
+  }
+  const bool isFlat = this->Nodes.GetDimension() == 2 && !isSmesh;
+  const auto skipNodes = [&](TextScanner& scanner)
+  {
+    if (isOwn)
+    {
+      scanner.SetPosition(file.begin() + this->EndOfNodes);
+      return true;
+    }
+    TetGenNodes::Header header;
+    return TetGenNodes::ReadHeader(scanner, header);
+  };
+  TetGenCells segments(TetGenKind::Edge);
+  TetGenFacets facets;
+  TetGenSeeds seeds;
+  if (!this->ReadFile(file, progress.Part(0.3, 0.6),
+        [&](TextScanner& scanner, const TextLines* lines, const Progress& part)
+        {
+          this->More.clear();
+          const bool good = skipNodes(scanner) &&
+            (isFlat ? segments.Read(scanner, lines, this->Nodes, this->Request, this->Piece, part,
+                        ErrorKind::Syntax)
+                    : facets.Read(scanner, lines, this->Nodes, isSmesh, part)) &&
+            seeds.Read(scanner, this->Nodes.GetDimension());
+          this->WarnOfMore(scanner, file);
+          return good;
+        }))
+  {
+    return false;
+  }
+  if (isFlat)
+  {
+    if (!this->FinishTable(segments, nodes, false, progress.Part(0.7, 1)))
+    {
+      return false;
+    }
+  }
+  else
+  {
+    CellMesh& mesh = facets.GetMesh();
+    if (!this->Piece.Select(mesh, this->Request, progress.Part(0.6, 0.7)))
+    {
+      return false;
+    }
+    KeepPiece(mesh, this->Piece);
+    if (!this->Fill(nodes, mesh, 0, progress.Part(0.7, 1)))
+    {
+      return false;
+    }
+    if (this->Request.Piece == 0)
+    {
+      facets.Warn(this->Messages);
+    }
+    facets.AddArrays(this->Grid, this->Piece);
+    facets.AddFields(this->Grid->GetFieldData());
+  }
+  seeds.AddFields(this->Grid->GetFieldData());
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool TetGenAssembly::ReadFiles(
+  const MappedFile& file, const std::string& path, const Progress& progress)
+{
+  ScanError& error = this->Error;
+  MappedFile &nodes = this->NodeFile, &elements = this->ElementFile;
   if (IsTetGenVoronoi(path))
   {
     error = { ErrorKind::Unsupported,
@@ -31,19 +330,19 @@ bool ReadFiles(const MappedFile& file, MappedFile& nodes, MappedFile& elements,
     case TetGenKind::Node:
       if (!HasTetGenCompanion(path, TetGenKind::Ele))
       {
-        return assembly.ReadCloud(file, progress);
+        return this->ReadCloud(file, progress);
       }
       return OpenTetGenCompanion(path, TetGenKind::Ele, "elements", elements, error) &&
-        assembly.ReadTable(elements, TetGenKind::Ele, file, nullptr, progress);
+        this->ReadTable(elements, TetGenKind::Ele, file, nullptr, progress);
     case TetGenKind::Ele:
     case TetGenKind::Face:
     case TetGenKind::Edge:
       return OpenTetGenCompanion(path, TetGenKind::Node, Nodes, nodes, error) &&
-        assembly.ReadTable(file, kind, nodes, nullptr, progress);
+        this->ReadTable(file, kind, nodes, nullptr, progress);
     case TetGenKind::Neigh:
       return OpenTetGenCompanion(path, TetGenKind::Ele, "elements", elements, error) &&
         OpenTetGenCompanion(path, TetGenKind::Node, Nodes, nodes, error) &&
-        assembly.ReadTable(elements, TetGenKind::Ele, nodes, &file, progress);
+        this->ReadTable(elements, TetGenKind::Ele, nodes, &file, progress);
     case TetGenKind::Poly:
     case TetGenKind::Smesh:
     {
@@ -55,9 +354,9 @@ bool ReadFiles(const MappedFile& file, MappedFile& nodes, MappedFile& elements,
         return false;
       }
       const bool isSmesh = kind == TetGenKind::Smesh;
-      return header.Count > 0 ? assembly.ReadComplex(file, isSmesh, file, progress)
+      return header.Count > 0 ? this->ReadComplex(file, isSmesh, file, progress)
                               : OpenTetGenCompanion(path, TetGenKind::Node, Nodes, nodes, error) &&
-          assembly.ReadComplex(file, isSmesh, nodes, progress);
+          this->ReadComplex(file, isSmesh, nodes, progress);
     }
     case TetGenKind::None:
       break;
@@ -67,15 +366,6 @@ bool ReadFiles(const MappedFile& file, MappedFile& nodes, MappedFile& elements,
       ": expected a TetGen or Triangle file, whose name ends with .node, .ele, .face, .edge, "
       ".neigh, .poly or .smesh" };
   return false;
-}
-
-//------------------------------------------------------------------------------
-bool ReadMesh(const MappedFile& file, const std::string& path, TetGenAssembly& assembly,
-  ScanError& error, const Progress& progress)
-{
-  MappedFile nodes, elements;
-  const bool good = ReadFiles(file, nodes, elements, path, assembly, error, progress);
-  return nodes.IsUnchanged(error) && elements.IsUnchanged(error) && good;
 }
 }
 
@@ -122,6 +412,6 @@ bool ReadTetGen(const std::string& path, const PieceRequest& request, vtkUnstruc
   TetGenAssembly assembly(request, grid, chunk, warnings, error);
   return ReadMappedFile(path, request, grid, warnings, error, progress,
     [&](const MappedFile& file, const Progress& rest)
-    { return ReadMesh(file, path, assembly, error, rest) && !rest.IsStopped(); });
+    { return assembly.Read(file, path, rest) && !rest.IsStopped(); });
 }
 }
