@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "MAPDLComponents.h"
-
+// Components: named sets of nodes or elements.
 #include "Base/Parallel.h"
 #include "Base/Text.h"
+#include "MAPDLMesh.h"
 
 #include "vtkCellData.h"
 #include "vtkFieldData.h"
@@ -130,20 +130,20 @@ void Mark(const std::vector<Range>& ranges, const Buffer<std::int32_t>& ids, uns
 }
 
 //------------------------------------------------------------------------------
-bool AddMAPDLComponents(const MAPDLDeck& deck, const MAPDLMesh& mesh, const CellMeshPiece& piece,
-  std::size_t textSize, vtkUnstructuredGrid* grid, Warnings& warnings, MAPDLFault& fault,
-  const Progress& progress)
+bool MAPDLMesh::AddComponents(const CellMeshPiece& piece, std::size_t textSize,
+  vtkUnstructuredGrid* grid, Warnings& warnings, const Progress& progress)
 {
-  const auto size = static_cast<vtkIdType>(deck.Components.size());
-  std::vector<std::vector<Range>> ranges(deck.Components.size());
-  std::vector<MAPDLFault> faults(deck.Components.size());
-  std::vector<vtkIdType> counts(deck.Components.size());
+  const std::vector<MAPDLComponent>& components = this->Deck.Components;
+  const auto size = static_cast<vtkIdType>(components.size());
+  std::vector<std::vector<Range>> ranges(components.size());
+  std::vector<MAPDLFault> faults(components.size());
+  std::vector<vtkIdType> counts(components.size());
   if (!progress.Part(0, 0.5).For(size,
         [&](vtkIdType first, vtkIdType last)
         {
           for (vtkIdType i = first; i < last; ++i)
           {
-            ReadRanges(deck.Components[i], ranges[i], counts[i], faults[i]);
+            ReadRanges(components[i], ranges[i], counts[i], faults[i]);
             Unite(ranges[i]);
           }
         }))
@@ -153,17 +153,17 @@ bool AddMAPDLComponents(const MAPDLDeck& deck, const MAPDLMesh& mesh, const Cell
   IdMap elements;
   if (size > 0)
   {
-    elements.Build(mesh.GetElementIds().data(), mesh.GetElementIds().size());
+    elements.Build(this->ElementIds.data(), this->ElementIds.size());
   }
   vtkIdType wrongCounts = 0;
   for (vtkIdType i = 0; i < size; ++i)
   {
     if (faults[i])
     {
-      fault = faults[i];
+      this->Fault = faults[i];
       return false;
     }
-    const MAPDLComponent& component = deck.Components[i];
+    const MAPDLComponent& component = components[i];
     wrongCounts += component.NumberOfValues >= 0 && counts[i] < component.NumberOfValues;
   }
   vtkNew<vtkStringArray> nodeNames, elementNames;
@@ -176,9 +176,10 @@ bool AddMAPDLComponents(const MAPDLDeck& deck, const MAPDLMesh& mesh, const Cell
   vtkIdType leftOut = 0, undefined = 0;
   for (vtkIdType i = 0; i < size && progress.Report(0.5 + 0.5 * i / size); ++i)
   {
-    const MAPDLComponent& component = deck.Components[i];
+    const MAPDLComponent& component = components[i];
     const bool ofNodes = component.OfNodes;
-    bytes += static_cast<std::size_t>(ofNodes ? mesh.GetNumberOfPoints() : mesh.GetNumberOfCells());
+    bytes +=
+      static_cast<std::size_t>(ofNodes ? this->GetNumberOfPoints() : this->GetNumberOfCells());
     if (bytes > bound)
     {
       ++leftOut;
@@ -186,15 +187,15 @@ bool AddMAPDLComponents(const MAPDLDeck& deck, const MAPDLMesh& mesh, const Cell
     }
     Buffer<unsigned char> flags(ofNodes ? piece.GetNumberOfPoints() : piece.GetNumberOfCells());
     std::fill(flags.data(), flags.data() + flags.size(), static_cast<unsigned char>(0));
-    undefined += HasUndefined(ranges[i], ofNodes ? mesh.GetNodes() : elements);
+    undefined += HasUndefined(ranges[i], ofNodes ? this->Nodes : elements);
     if (ofNodes)
     {
-      Mark(ranges[i], mesh.GetNodeIds(), flags.data(),
+      Mark(ranges[i], this->NodeIds, flags.data(),
         [&piece](vtkIdType point) { return piece.FindPoint(point); });
     }
     else
     {
-      Mark(ranges[i], mesh.GetElementIds(), flags.data(),
+      Mark(ranges[i], this->ElementIds, flags.data(),
         [&piece](vtkIdType cell) { return piece.FindCell(cell); });
     }
     const auto array = flags.TakeArray<vtkUnsignedCharArray>();

@@ -40,11 +40,20 @@ public:
   /// Adds the arrays of a piece to its grid.
   void AddArrays(const CellMeshPiece& piece, vtkUnstructuredGrid* grid);
 
+  /**
+   * Adds an array of 0 and 1 per component to the points or cells of a piece, and lists the names
+   * in the string arrays NodeComponents and ElementComponents of the field data. Of components with
+   * the same name the last is used.
+   * @param textSize bytes of the file; bounds the memory that damaged components can request
+   */
+  bool AddComponents(const CellMeshPiece& piece, std::size_t textSize, vtkUnstructuredGrid* grid,
+    Warnings& warnings, const Progress& progress);
   void Warn(Warnings& warnings) const;
 
   CellMesh Cells; ///< of the piece
   MAPDLFault Fault;
 
+private:
   ///@{
   /// Numbers in the whole deck.
   vtkIdType GetNumberOfPoints() const
@@ -53,14 +62,6 @@ public:
   }
   vtkIdType GetNumberOfCells() const { return this->ElementIds.size(); }
   ///@}
-  ///@{
-  /// Ids of all nodes and cells, in order; points beyond the nodes are midpoints of edges.
-  const Buffer<std::int32_t>& GetNodeIds() const { return this->NodeIds; }
-  const Buffer<std::int32_t>& GetElementIds() const { return this->ElementIds; }
-  const IdMap& GetNodes() const { return this->Nodes; }
-  ///@}
-
-private:
   /// Rows that are read in one task.
   struct Batch
   {
@@ -125,9 +126,9 @@ private:
   const MAPDLDeck& Deck;
   MAPDLOptions Options;
   std::vector<Batch> NodeBatches, ElementBatches;
-  std::vector<Finding> Findings; ///< of element batches
-  std::vector<CellSink> Sinks;   ///< cells of the piece, likewise
-  Buffer<std::int32_t> NodeIds, ElementIds;
+  std::vector<Finding> Findings;            ///< of element batches
+  std::vector<CellSink> Sinks;              ///< cells of the piece, likewise
+  Buffer<std::int32_t> NodeIds, ElementIds; ///< of all nodes and cells, in order
   Buffer<std::int32_t> NodeOfRow; ///< -1 for rows that are left out; empty if all are kept
   IdSet LeftOut; ///< rows of elements that are no cells, or are defined again later
   IdMap Nodes;

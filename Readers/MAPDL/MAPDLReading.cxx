@@ -4,7 +4,7 @@
 
 #include "Intake/CellMesh/CellGrid.h"
 #include "Intake/Pieces/ReadMappedFile.h"
-#include "MAPDLComponents.h"
+#include "MAPDLMesh.h"
 #include "MAPDLWalker.h"
 
 #include "vtkDoubleArray.h"
@@ -75,10 +75,9 @@ bool Read(const MappedFile& file, const MAPDLOptions& options, const PieceReques
   const auto points = coordinates.TakeArray<vtkDoubleArray>(3);
   mesh.AddArrays(piece, grid);
   Warnings ofComponents;
-  if (!AddMAPDLComponents(
-        deck, mesh, piece, file.size(), grid, ofComponents, fault, progress.Part(0.9, 0.95)))
+  if (!mesh.AddComponents(piece, file.size(), grid, ofComponents, progress.Part(0.9, 0.95)))
   {
-    return fail(fault);
+    return fail(mesh.Fault);
   }
   if (request.Piece == 0)
   {
