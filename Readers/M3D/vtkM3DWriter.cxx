@@ -94,12 +94,18 @@ void WarnOfOtherMaterials(vtkDataSet* mesh, Warnings& warnings)
     warnings.Add("not written: the array " + name + " of points: materials belong to elements");
   }
 }
+}
+}
+
+using namespace camaron;
+
+vtkStandardNewMacro(vtkM3DWriter);
 
 //------------------------------------------------------------------------------
 // The material of elements comes from the cell array or the field data "Material" with three
 // components, else the default of mesh generators is written. All nodes get code 1.
-bool WriteM3D(const std::string& path, vtkDataSet* mesh, int wantedDigits, UnsupportedCells others,
-  Warnings& warnings, ScanError& error, const Progress& progress)
+bool vtkM3DWriter::WriteMesh(const std::string& path, vtkDataSet* mesh, camaron::Warnings& warnings,
+  camaron::ScanError& error, const camaron::Progress& progress)
 {
   const bool isM2D = path.size() >= 4 && EqualsInAnyCase(path.substr(path.size() - 4), ".m2d");
   const MaterialText material(mesh);
@@ -111,15 +117,16 @@ bool WriteM3D(const std::string& path, vtkDataSet* mesh, int wantedDigits, Unsup
     written.Fields = { MaterialName };
   }
   const CellConversion how = isM2D
-    ? CellConversion{ "M2D", { VTK_TRIANGLE, VTK_QUAD }, others }
-    : CellConversion{ "M3D", { VTK_TETRA, VTK_PYRAMID, VTK_WEDGE, VTK_HEXAHEDRON }, others };
+    ? CellConversion{ "M2D", { VTK_TRIANGLE, VTK_QUAD }, this->GetOtherCells() }
+    : CellConversion{ "M3D", { VTK_TETRA, VTK_PYRAMID, VTK_WEDGE, VTK_HEXAHEDRON },
+        this->GetOtherCells() };
   WarnOfArrays(mesh, how.Format.c_str(), warnings, written);
   OutputMesh output;
   if (!ConvertCells(mesh, how, path, output, warnings, error, progress.Part(0, 0.3)))
   {
     return false;
   }
-  const int digits = wantedDigits > 0 ? wantedDigits : ChooseDigits(mesh, output);
+  const int digits = this->Digits > 0 ? this->Digits : ChooseDigits(mesh, output);
   WarnOfDigits(mesh, output, digits, warnings);
   const std::string points = std::to_string(output.GetNumberOfPoints());
   const std::string cells = std::to_string(output.GetNumberOfCells());
@@ -155,18 +162,6 @@ bool WriteM3D(const std::string& path, vtkDataSet* mesh, int wantedDigits, Unsup
         text += '\n';
       });
   return file.Finish(good, error);
-}
-}
-}
-
-vtkStandardNewMacro(vtkM3DWriter);
-
-//------------------------------------------------------------------------------
-bool vtkM3DWriter::WriteMesh(const std::string& path, vtkDataSet* mesh, camaron::Warnings& warnings,
-  camaron::ScanError& error, const camaron::Progress& progress)
-{
-  return camaron::WriteM3D(
-    path, mesh, this->Digits, this->GetOtherCells(), warnings, error, progress);
 }
 
 //------------------------------------------------------------------------------

@@ -33,13 +33,6 @@ constexpr int HeaderFields = 11;
 constexpr int ValuesPerLine = 8;     // of CMBLOCK
 constexpr std::int32_t EndMark = -1; // of EBLOCK, in place of the material
 
-struct MAPDLWriteOptions
-{
-  bool OriginalIds;
-  int Digits;
-  UnsupportedCells Others;
-};
-
 //------------------------------------------------------------------------------
 /// Ids of nodes or elements.
 class OutputIds
@@ -189,13 +182,14 @@ std::vector<Component> FindComponents(vtkDataSet* mesh, WrittenArrays& written, 
 class DeckWriter
 {
 public:
-  DeckWriter(vtkDataSet* mesh, const OutputMesh& output, const MAPDLWriteOptions& options)
+  DeckWriter(vtkDataSet* mesh, const OutputMesh& output, bool originalIds, int digits)
     : Output(output)
-    , Options(options)
+    , OriginalIds(originalIds)
+    , Digits(digits)
     , Types(mesh, output)
-    , Nodes(MAPDLNumbers(mesh->GetPointData(), options.OriginalIds ? "NodeId" : "", 0),
+    , Nodes(MAPDLNumbers(mesh->GetPointData(), originalIds ? "NodeId" : "", 0),
         output.GetNumberOfPoints(), [&output](vtkIdType i) { return output.GetInputPoint(i); })
-    , Elements(MAPDLNumbers(mesh->GetCellData(), options.OriginalIds ? "ElementId" : "", 0),
+    , Elements(MAPDLNumbers(mesh->GetCellData(), originalIds ? "ElementId" : "", 0),
         output.GetNumberOfCells(), [&output](vtkIdType i) { return output.GetInputCell(i); })
     , Material(mesh->GetCellData(), "Material", 1, EndMark)
     , Real(mesh->GetCellData(), "Real", 1)
@@ -213,7 +207,8 @@ private:
   bool WriteComponent(OutputFile& file, const Component& component, const Progress& progress) const;
 
   const OutputMesh& Output;
-  MAPDLWriteOptions Options;
+  bool OriginalIds;
+  int Digits;
   MAPDLOutputTypes Types;
   OutputIds Nodes, Elements;
   MAPDLNumbers Material, Real, Section;
@@ -225,7 +220,7 @@ void DeckWriter::Warn(vtkDataSet* mesh, WrittenArrays written, Warnings& warning
   const auto addIds =
     [&](vtkDataSetAttributes* attributes, const char* name, std::vector<std::string>& names)
   {
-    if (!this->Options.OriginalIds || MAPDLNumbers(attributes, name, 0).HasArray())
+    if (!this->OriginalIds || MAPDLNumbers(attributes, name, 0).HasArray())
     {
       names.push_back(name);
     }
@@ -281,7 +276,7 @@ bool DeckWriter::WriteNodes(OutputFile& file, const Progress& progress) const
 {
   constexpr int NarrowWidth = 9;
   const int width = this->Nodes.GetGreatest() > 999999999 ? NarrowWidth + 1 : NarrowWidth;
-  const int decimals = this->Options.Digits - 1;
+  const int decimals = this->Digits - 1;
   // Sign, digit, point, and an exponent with a sign and three digits.
   const int realWidth = decimals + 8;
   std::string header = "NBLOCK,6,SOLID,";
@@ -424,19 +419,25 @@ bool DeckWriter::Write(
   file.Write("/GO\nFINISH\n");
   return good;
 }
+}
+}
+
+using namespace camaron;
+
+vtkStandardNewMacro(vtkMAPDLWriter);
 
 //------------------------------------------------------------------------------
 // Nodes, elements, their types, and a component for each byte array with values 0 or 1. Types and
 // attributes of elements are taken from the arrays that the reader creates, if they match the
 // cells.
-bool WriteMAPDL(const std::string& path, vtkDataSet* mesh, const MAPDLWriteOptions& options,
-  Warnings& warnings, ScanError& error, const Progress& progress)
+bool vtkMAPDLWriter::WriteMesh(const std::string& path, vtkDataSet* mesh,
+  camaron::Warnings& warnings, camaron::ScanError& error, const camaron::Progress& progress)
 {
   const CellTypeSet held = { VTK_VERTEX, VTK_LINE, VTK_QUADRATIC_EDGE, VTK_TRIANGLE,
     VTK_QUADRATIC_TRIANGLE, VTK_QUAD, VTK_QUADRATIC_QUAD, VTK_TETRA, VTK_QUADRATIC_TETRA,
     VTK_PYRAMID, VTK_QUADRATIC_PYRAMID, VTK_WEDGE, VTK_QUADRATIC_WEDGE, VTK_HEXAHEDRON,
     VTK_QUADRATIC_HEXAHEDRON };
-  const CellConversion how{ "MAPDL", held, options.Others };
+  const CellConversion how{ "MAPDL", held, this->GetOtherCells() };
   OutputMesh output;
   if (!ConvertCells(mesh, how, path, output, warnings, error, progress.Part(0, 0.3)))
   {
@@ -445,29 +446,16 @@ bool WriteMAPDL(const std::string& path, vtkDataSet* mesh, const MAPDLWriteOptio
   if (std::max(output.GetNumberOfPoints(), output.GetNumberOfCells()) > MaxMAPDLId)
   {
     error = { ErrorKind::Unsupported,
-      GetFileName(path) + ": expected at most 2147483647 nodes and elements, found more" };
+      camaron::GetFileName(path) + ": expected at most 2147483647 nodes and elements, found more" };
     return false;
   }
   WrittenArrays written;
   const std::vector<Component> components = FindComponents(mesh, written, warnings);
-  const DeckWriter writer(mesh, output, options);
+  const DeckWriter writer(mesh, output, this->OriginalIds, this->Digits);
   writer.Warn(mesh, std::move(written), warnings);
-  WarnOfDigits(mesh, output, options.Digits, warnings);
+  WarnOfDigits(mesh, output, this->Digits, warnings);
   OutputFile file(path);
   return file.Finish(writer.Write(file, components, progress.Part(0.3, 1)), error);
-}
-}
-}
-
-vtkStandardNewMacro(vtkMAPDLWriter);
-
-//------------------------------------------------------------------------------
-bool vtkMAPDLWriter::WriteMesh(const std::string& path, vtkDataSet* mesh,
-  camaron::Warnings& warnings, camaron::ScanError& error, const camaron::Progress& progress)
-{
-  const camaron::MAPDLWriteOptions options = { this->OriginalIds, this->Digits,
-    this->GetOtherCells() };
-  return camaron::WriteMAPDL(path, mesh, options, warnings, error, progress);
 }
 
 //------------------------------------------------------------------------------

@@ -19,12 +19,20 @@ namespace camaron
 {
 namespace
 {
+}
+}
+
+using namespace camaron;
+
+vtkStandardNewMacro(vtkTRIWriter);
+
 //------------------------------------------------------------------------------
 // Cart3D files count ids from 1, and contain the components of triangles if the mesh has the cell
 // array "Component".
-bool WriteTRI(const std::string& path, vtkDataSet* mesh, bool isCart3D, const CellConversion& how,
-  Warnings& warnings, ScanError& error, const Progress& progress)
+bool vtkTRIWriter::WriteMesh(const std::string& path, vtkDataSet* mesh, camaron::Warnings& warnings,
+  camaron::ScanError& error, const camaron::Progress& progress)
 {
+  const bool isCart3D = this->Dialect == CART3D;
   vtkDataArray* components = isCart3D ? mesh->GetCellData()->GetArray("Component") : nullptr;
   if (components && components->GetNumberOfComponents() != 1)
   {
@@ -52,6 +60,8 @@ bool WriteTRI(const std::string& path, vtkDataSet* mesh, bool isCart3D, const Ce
   }
   WarnOfArrays(mesh, "TRI", warnings, written);
 
+  const CellConversion how{ "TRI", { VTK_TRIANGLE }, this->GetOtherCells(),
+    this->GetSurfaceFaces() };
   OutputMesh output;
   if (!ConvertCells(mesh, how, path, output, warnings, error, progress.Part(0, 0.3)))
   {
@@ -99,19 +109,6 @@ bool WriteTRI(const std::string& path, vtkDataSet* mesh, bool isCart3D, const Ce
         });
   }
   return file.Finish(good, error);
-}
-}
-}
-
-vtkStandardNewMacro(vtkTRIWriter);
-
-//------------------------------------------------------------------------------
-bool vtkTRIWriter::WriteMesh(const std::string& path, vtkDataSet* mesh, camaron::Warnings& warnings,
-  camaron::ScanError& error, const camaron::Progress& progress)
-{
-  const camaron::CellConversion how{ "TRI", { VTK_TRIANGLE }, this->GetOtherCells(),
-    this->GetSurfaceFaces() };
-  return camaron::WriteTRI(path, mesh, this->Dialect == CART3D, how, warnings, error, progress);
 }
 
 //------------------------------------------------------------------------------

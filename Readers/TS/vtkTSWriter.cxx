@@ -41,11 +41,21 @@ bool WriteTetrahedra(OutputFile& file, const OutputMesh& mesh, const Progress& p
         }
       });
 }
+}
+}
+
+using namespace camaron;
+
+vtkStandardNewMacro(vtkTSWriter);
 
 //------------------------------------------------------------------------------
-bool WriteTS(const std::string& path, vtkDataSet* mesh, bool isGOCAD, const CellConversion& how,
-  Warnings& warnings, ScanError& error, const Progress& progress)
+bool vtkTSWriter::WriteMesh(const std::string& path, vtkDataSet* mesh, camaron::Warnings& warnings,
+  camaron::ScanError& error, const camaron::Progress& progress)
 {
+  const bool isGOCAD = this->Dialect == GOCAD;
+  const CellConversion how = isGOCAD
+    ? CellConversion{ "TSurf", { VTK_TRIANGLE }, this->GetOtherCells(), this->GetSurfaceFaces() }
+    : CellConversion{ "TS", { VTK_TETRA }, this->GetOtherCells() };
   OutputMesh output;
   if (!ConvertCells(mesh, how, path, output, warnings, error, progress.Part(0, 0.3)))
   {
@@ -63,22 +73,6 @@ bool WriteTS(const std::string& path, vtkDataSet* mesh, bool isGOCAD, const Cell
     good = WriteTetrahedra(file, output, progress.Part(0.3, 1));
   }
   return file.Finish(good, error);
-}
-}
-}
-
-vtkStandardNewMacro(vtkTSWriter);
-
-//------------------------------------------------------------------------------
-bool vtkTSWriter::WriteMesh(const std::string& path, vtkDataSet* mesh, camaron::Warnings& warnings,
-  camaron::ScanError& error, const camaron::Progress& progress)
-{
-  const bool isGOCAD = this->Dialect == GOCAD;
-  const camaron::CellConversion how = isGOCAD
-    ? camaron::CellConversion{ "TSurf", { VTK_TRIANGLE }, this->GetOtherCells(),
-        this->GetSurfaceFaces() }
-    : camaron::CellConversion{ "TS", { VTK_TETRA }, this->GetOtherCells() };
-  return camaron::WriteTS(path, mesh, isGOCAD, how, warnings, error, progress);
 }
 
 //------------------------------------------------------------------------------

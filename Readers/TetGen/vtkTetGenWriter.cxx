@@ -29,14 +29,6 @@ namespace camaron
 {
 namespace
 {
-struct TetGenOptions
-{
-  int FirstId;
-  UnsupportedCells Others;
-  bool Arrays;        ///< attributes, regions and markers
-  bool BoundaryFaces; ///< of tetrahedra, if the mesh has no triangles
-};
-
 //------------------------------------------------------------------------------
 // All elements of a file have the same number of nodes. Quadratic ones are kept if there are no
 // linear elements of the same dimension.
@@ -110,10 +102,13 @@ bool IsFlat(const OutputMesh& mesh)
 class TetGenWriting
 {
 public:
-  TetGenWriting(vtkDataSet* mesh, const OutputMesh& output, const TetGenOptions& options)
+  TetGenWriting(
+    vtkDataSet* mesh, const OutputMesh& output, int firstId, bool withArrays, bool withBoundary)
     : Mesh(mesh)
     , Output(output)
-    , Options(options)
+    , FirstId(firstId)
+    , WithArrays(withArrays)
+    , WithBoundary(withBoundary)
     , Elements(ListCells(output,
         output.Count(VTK_TETRA) + output.Count(VTK_QUADRATIC_TETRA) > 0 ||
             output.GetNumberOfCells() == 0
@@ -124,11 +119,11 @@ public:
     {
       this->Faces = ListCells(output, 3);
     }
-    if (options.Arrays)
+    if (withArrays)
     {
       this->PointArrays = TetGenArrays(mesh->GetPointData(), "attr_0", true);
     }
-    if (options.Arrays && this->Elements.Size > 0)
+    if (withArrays && this->Elements.Size > 0)
     {
       this->CellArrays = TetGenArrays(mesh->GetCellData(), "Region", this->HasFaces());
     }
@@ -142,7 +137,7 @@ private:
   bool HasFaces() const { return this->Elements.Corners == 4 && this->Faces.Size > 0; }
   bool HasBoundary() const
   {
-    return this->Options.BoundaryFaces && !this->HasFaces() && this->Elements.Corners == 4;
+    return this->WithBoundary && !this->HasFaces() && this->Elements.Corners == 4;
   }
   void AppendCell(std::string& text, const CellList& list, vtkIdType number) const;
   bool WriteNodes(OutputFile& file, const Progress& progress) const;
@@ -153,7 +148,9 @@ private:
 
   vtkDataSet* Mesh;
   const OutputMesh& Output;
-  TetGenOptions Options;
+  int FirstId;
+  bool WithArrays;   ///< attributes, regions and markers
+  bool WithBoundary; ///< of tetrahedra, if the mesh has no triangles
   CellList Elements, Faces;
   TetGenArrays PointArrays, CellArrays;
 };
@@ -173,7 +170,7 @@ bool TetGenWriting::WriteNodes(OutputFile& file, const Progress& progress) const
     {
       double x[3];
       this->Output.GetPoint(point, x);
-      AppendNumber(text, point + this->Options.FirstId);
+      AppendNumber(text, point + this->FirstId);
       for (int c = 0; c < dimension; ++c)
       {
         text += ' ';
@@ -191,7 +188,7 @@ bool TetGenWriting::WriteNodes(OutputFile& file, const Progress& progress) const
 void TetGenWriting::AppendCell(std::string& text, const CellList& list, vtkIdType number) const
 {
   const IndexRange nodes = this->Output.GetCellPoints(list[number]);
-  AppendNumber(text, number + this->Options.FirstId);
+  AppendNumber(text, number + this->FirstId);
   const TetGenMidpointOrder order = GetUsualMidpointOrder(list.Corners);
   vtkIdType ids[10];
   for (int i = 0; i < list.NumberOfNodes; ++i)
@@ -201,7 +198,7 @@ void TetGenWriting::AppendCell(std::string& text, const CellList& list, vtkIdTyp
   for (int i = 0; i < list.NumberOfNodes; ++i)
   {
     text += ' ';
-    AppendNumber(text, ids[i] + this->Options.FirstId);
+    AppendNumber(text, ids[i] + this->FirstId);
   }
 }
 
@@ -271,12 +268,12 @@ bool TetGenWriting::WriteBoundary(OutputFile& file, const Progress& progress) co
     [&](vtkIdType number, std::string& text)
     {
       const IndexRange corners = view.GetCellPoints(number);
-      AppendNumber(text, number + this->Options.FirstId);
+      AppendNumber(text, number + this->FirstId);
       for (vtkIdType i = 0; i < corners.Size; ++i)
       {
         text += ' ';
-        AppendNumber(text,
-          static_cast<vtkIdType>(original->GetComponent(corners[i], 0)) + this->Options.FirstId);
+        AppendNumber(
+          text, static_cast<vtkIdType>(original->GetComponent(corners[i], 0)) + this->FirstId);
       }
       text += OnBoundary;
     });
@@ -346,7 +343,7 @@ void TetGenWriting::WarnOfLostValues(Warnings& warnings) const
 //------------------------------------------------------------------------------
 void TetGenWriting::Warn(const std::string& path, Warnings& warnings) const
 {
-  if (this->Options.Arrays)
+  if (this->WithArrays)
   {
     WrittenArrays written;
     this->PointArrays.AddNames(written.Points);
@@ -375,38 +372,10 @@ void TetGenWriting::Warn(const std::string& path, Warnings& warnings) const
     warnings.Add("existing companion files do not belong to this mesh: " + old);
   }
 }
+}
+}
 
-//------------------------------------------------------------------------------
-bool WriteTetGen(const std::string& path, vtkDataSet* mesh, const TetGenOptions& options,
-  Warnings& warnings, ScanError& error, const Progress& progress)
-{
-  const TetGenKind kind = GetTetGenKind(path);
-  if (kind != TetGenKind::Node && kind != TetGenKind::Ele && kind != TetGenKind::None)
-  {
-    error = { ErrorKind::Unsupported,
-      GetFileName(path) +
-        ": expected a name that ends with .node or .ele; a .face file is written in addition if "
-        "there are triangles as well as tetrahedra" };
-    return false;
-  }
-  // For other extensions, that of TetGen is appended.
-  const std::string target = kind == TetGenKind::None ? path + ".ele" : path;
-  const CellConversion how{ "TetGen", ChooseTypes(MeshView(mesh)), options.Others };
-  OutputMesh output;
-  if (!ConvertCells(mesh, how, path, output, warnings, error, progress.Part(0, 0.3)))
-  {
-    return false;
-  }
-  TetGenWriting writing(mesh, output, options);
-  if (!writing.Write(target, error, progress.Part(0.3, 1)))
-  {
-    return false;
-  }
-  writing.Warn(target, warnings);
-  return true;
-}
-}
-}
+using namespace camaron;
 
 vtkStandardNewMacro(vtkTetGenWriter);
 
@@ -414,9 +383,30 @@ vtkStandardNewMacro(vtkTetGenWriter);
 bool vtkTetGenWriter::WriteMesh(const std::string& path, vtkDataSet* mesh,
   camaron::Warnings& warnings, camaron::ScanError& error, const camaron::Progress& progress)
 {
-  const camaron::TetGenOptions options = { this->FirstId, this->GetOtherCells(), this->WriteArrays,
-    this->WriteBoundaryFaces };
-  return camaron::WriteTetGen(path, mesh, options, warnings, error, progress);
+  const TetGenKind kind = GetTetGenKind(path);
+  if (kind != TetGenKind::Node && kind != TetGenKind::Ele && kind != TetGenKind::None)
+  {
+    error = { ErrorKind::Unsupported,
+      camaron::GetFileName(path) +
+        ": expected a name that ends with .node or .ele; a .face file is written in addition if "
+        "there are triangles as well as tetrahedra" };
+    return false;
+  }
+  // For other extensions, that of TetGen is appended.
+  const std::string target = kind == TetGenKind::None ? path + ".ele" : path;
+  const CellConversion how{ "TetGen", ChooseTypes(MeshView(mesh)), this->GetOtherCells() };
+  OutputMesh output;
+  if (!ConvertCells(mesh, how, path, output, warnings, error, progress.Part(0, 0.3)))
+  {
+    return false;
+  }
+  TetGenWriting writing(mesh, output, this->FirstId, this->WriteArrays, this->WriteBoundaryFaces);
+  if (!writing.Write(target, error, progress.Part(0.3, 1)))
+  {
+    return false;
+  }
+  writing.Warn(target, warnings);
+  return true;
 }
 
 //------------------------------------------------------------------------------
