@@ -25,9 +25,9 @@
 #include "vtkVariant.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <limits>
 #include <mutex>
 
@@ -49,21 +49,11 @@ double RoundToDigits(double value, int digits)
     return value;
   }
   // A quotient of exact integers and powers of ten is the double nearest to the decimal number.
-  constexpr int MaxPower = 22;
+  constexpr int MaxPower = static_cast<int>(std::size(detail::PowersOfTen)) - 1;
   const int decimals = digits - 1 - static_cast<int>(std::floor(std::log10(std::fabs(value))));
   if (std::abs(decimals) <= MaxPower)
   {
-    static const auto powers = []
-    {
-      std::array<double, MaxPower + 1> all;
-      all[0] = 1;
-      for (std::size_t i = 1; i < all.size(); ++i)
-      {
-        all[i] = 10 * all[i - 1];
-      }
-      return all;
-    }();
-    const double power = powers[static_cast<std::size_t>(std::abs(decimals))];
+    const double power = detail::PowersOfTen[std::abs(decimals)];
     const double integer = std::round(decimals > 0 ? value * power : value / power);
     if (std::fabs(integer) < static_cast<double>(MaxInteger))
     {
@@ -92,21 +82,20 @@ bool IsExactInDouble(const vtkVariant& value)
 }
 
 //------------------------------------------------------------------------------
-// Counts the ids for which a test is true, in parallel; each thread creates its own test with
-// makeTest().
-template <typename MakeTest>
-Tally CountWhere(vtkIdType size, MakeTest&& makeTest)
+// Counts the ids for which a test is true, in parallel; each thread has its own copy of the test.
+template <typename Test>
+Tally CountWhere(vtkIdType size, const Test& test)
 {
   Tally count;
   std::mutex mutex;
   ParallelFor(size, LightGrain,
     [&](vtkIdType begin, vtkIdType end)
     {
-      auto&& test = makeTest();
+      Test testHere = test;
       Tally countHere;
       for (vtkIdType id = begin; id < end; ++id)
       {
-        if (test(id))
+        if (testHere(id))
         {
           countHere.Add(id);
         }
@@ -169,15 +158,12 @@ void ForEachEdge(const MeshView& mesh, CellFacets& facets, vtkIdType cell, Visit
 Tally CountRounded(const OutputMesh& output, int digits)
 {
   return CountWhere(output.GetNumberOfPoints(),
-    [&output, digits]
+    [&output, digits](vtkIdType point)
     {
-      return [&output, digits](vtkIdType point)
-      {
-        double x[3];
-        output.GetPoint(point, x);
-        return std::any_of(
-          x, x + 3, [digits](double v) { return v == v && RoundToDigits(v, digits) != v; });
-      };
+      double x[3];
+      output.GetPoint(point, x);
+      return std::any_of(
+        x, x + 3, [digits](double v) { return v == v && RoundToDigits(v, digits) != v; });
     });
 }
 
@@ -225,30 +211,18 @@ bool CheckTuples(vtkIdType size, int components, GetTuple&& getTuple, const Tupl
 {
   constexpr double Greatest = std::numeric_limits<float>::max();
   const auto isTooLarge = [](double v) { return std::isfinite(v) && std::fabs(v) > Greatest; };
-  Tally rounded, tooLarge;
-  std::mutex mutex;
-  ParallelFor(size, LightGrain,
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      const auto isExact = [](double v) { return !std::isfinite(v) || static_cast<float>(v) == v; };
-      Tally roundedHere, tooLargeHere;
-      for (vtkIdType id = begin; id < end; ++id)
+  const auto isRounded = [](double v) { return std::isfinite(v) && static_cast<float>(v) != v; };
+  const auto count = [&](auto&& test)
+  {
+    return CountWhere(size,
+      [&](vtkIdType id)
       {
         double x[MaxComponents];
         getTuple(id, x);
-        if (std::any_of(x, x + components, isTooLarge))
-        {
-          tooLargeHere.Add(id);
-        }
-        else if (!std::all_of(x, x + components, isExact))
-        {
-          roundedHere.Add(id);
-        }
-      }
-      const std::lock_guard<std::mutex> lock(mutex);
-      rounded.Merge(roundedHere);
-      tooLarge.Merge(tooLargeHere);
-    });
+        return std::any_of(x, x + components, test);
+      });
+  };
+  const Tally tooLarge = count(isTooLarge);
   if (tooLarge.Count > 0)
   {
     double x[MaxComponents];
@@ -261,7 +235,7 @@ bool CheckTuples(vtkIdType size, int components, GetTuple&& getTuple, const Tupl
         names.One + " " + std::to_string(tooLarge.First) };
     return false;
   }
-  warnings.Add(rounded, names.One, names.Many, "rounded to single precision");
+  warnings.Add(count(isRounded), names.One, names.Many, "rounded to single precision");
   return true;
 }
 }
@@ -470,17 +444,14 @@ void WarnOfIntegers(vtkDataArray* array, Warnings& warnings)
     return;
   }
   const Tally rounded = CountWhere(array->GetNumberOfTuples(),
-    [&]
+    [&](vtkIdType tuple)
     {
-      return [&](vtkIdType tuple)
+      bool isExact = true;
+      for (int c = 0; c < components; ++c)
       {
-        bool isExact = true;
-        for (int c = 0; c < components; ++c)
-        {
-          isExact &= IsExactInDouble(array->GetVariantValue(tuple * components + c));
-        }
-        return !isExact;
-      };
+        isExact &= IsExactInDouble(array->GetVariantValue(tuple * components + c));
+      }
+      return !isExact;
     });
   const std::string fate = "of the array " + DescribeArray(array) + " rounded to double";
   warnings.Add(rounded, "value", "values", fate.c_str());
@@ -543,24 +514,21 @@ void WarnOfInvertedCells(vtkDataSet* mesh, const char* format, Warnings& warning
   options.DegeneracyTolerance =
     1e-12; // regardless of the precision of the points, because flat cells have no orientation
   const Tally inverted = CountWhere(view.GetNumberOfCells(),
-    [&]
+    [&, geometry = CellGeometry()](vtkIdType cell) mutable
     {
-      return [&, geometry = CellGeometry()](vtkIdType cell) mutable
+      const CellShape& shape = GetCellShape(view.GetCellType(cell));
+      if (shape.Dimension != 3 || shape.ListsFaces)
       {
-        const CellShape& shape = GetCellShape(view.GetCellType(cell));
-        if (shape.Dimension != 3 || shape.ListsFaces)
-        {
-          return false;
-        }
-        geometry.Load(view, cell, options);
-        geometry.Normalize();
-        if (!geometry.IsFinite())
-        {
-          return false;
-        }
-        geometry.Compute(NeedsVolume);
-        return geometry.GetVolume() < 0 && !geometry.IsZeroVolume(geometry.GetVolume());
-      };
+        return false;
+      }
+      geometry.Load(view, cell, options);
+      geometry.Normalize();
+      if (!geometry.IsFinite())
+      {
+        return false;
+      }
+      geometry.Compute(NeedsVolume);
+      return geometry.GetVolume() < 0 && !geometry.IsZeroVolume(geometry.GetVolume());
     });
   const std::string fate = std::string("with inverted orientation, which is lost because ") +
     format + " files do not store on which side of a face a cell lies";
