@@ -4,7 +4,6 @@
 
 #include "Base/DisjointSets.h"
 #include "Base/Parallel.h"
-#include "Geometry/FacetRing.h"
 #include "Mesh/CellFacets.h"
 #include "Mesh/ConnectivityKey.h"
 #include "Mesh/FacetTableBuilder.h"
@@ -16,7 +15,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <iterator>
 #include <mutex>
 #include <utility>
 
@@ -398,69 +396,6 @@ void MeshTopology::GetFacePoints(Index face, std::vector<vtkIdType>& points) con
   points.clear();
   CellFacets(this->Mesh)
     .GetFacet(faces.GetCells(face).First, faces.GetOwnerLocalFacet(face), points);
-}
-
-//------------------------------------------------------------------------------
-void MeshTopology::GetNeighbors(
-  vtkIdType cell, Adjacency adjacency, std::vector<Index>& neighbors) const
-{
-  neighbors.clear();
-  CellFacets facets(this->Mesh);
-  if (adjacency == Adjacency::Facet)
-  {
-    const int dimension = facets.GetDimension(cell);
-    if (dimension < 2)
-    {
-      return;
-    }
-    const FacetTable& table = this->GetFacets(dimension);
-    std::vector<Index> cells;
-    for (const CellFacet facet : table.GetCellFacets(cell))
-    {
-      table.GetCells(facet.Facet(), cells);
-      neighbors.insert(neighbors.end(), cells.begin(), cells.end());
-    }
-  }
-  else
-  {
-    const PointCells& pointCells = this->GetPointCells();
-    const auto first = [&](vtkIdType p)
-    { return pointCells.Cells.begin() + pointCells.Offsets[p]; };
-    if (adjacency == Adjacency::Vertex)
-    {
-      const IndexRange points = this->Mesh.GetCellPoints(cell);
-      for (vtkIdType i = 0; i < points.Size; ++i)
-      {
-        neighbors.insert(neighbors.end(), first(points[i]), first(points[i] + 1));
-      }
-    }
-    else
-    {
-      std::vector<Index> candidates;
-      facets.ForEachEdge(cell,
-        [&](vtkIdType a, vtkIdType b)
-        {
-          // Both points are shared, and so is an edge between them.
-          candidates.clear();
-          std::set_intersection(
-            first(a), first(a + 1), first(b), first(b + 1), std::back_inserter(candidates));
-          for (const Index candidate : candidates)
-          {
-            bool hasEdge = false;
-            CellFacets(this->Mesh)
-              .ForEachEdge(candidate, [&](vtkIdType c, vtkIdType d)
-                { hasEdge = hasEdge || (a == c && b == d) || (a == d && b == c); });
-            if (hasEdge)
-            {
-              neighbors.push_back(candidate);
-            }
-          }
-        });
-    }
-  }
-  SortDistinct(neighbors);
-  neighbors.erase(
-    std::remove(neighbors.begin(), neighbors.end(), static_cast<Index>(cell)), neighbors.end());
 }
 
 //------------------------------------------------------------------------------

@@ -41,14 +41,6 @@ struct PointCells
 /// Unique edges of all cells, sorted; the smaller point id of each edge comes first.
 using EdgeList = std::vector<std::array<Index, 2>>;
 
-/// What two neighboring cells share.
-enum class Adjacency
-{
-  Facet, ///< a face of 3D cells, an edge of 2D cells
-  Edge,
-  Vertex
-};
-
 class MeshTopology
 {
 public:
@@ -85,12 +77,6 @@ public:
    * @a points is overwritten.
    */
   void GetFacePoints(Index face, std::vector<vtkIdType>& points) const;
-
-  /**
-   * The other cells of the mesh adjacent to @a cell, ascending; @a neighbors is overwritten.
-   * Builds the tables that this type of adjacency needs.
-   */
-  void GetNeighbors(vtkIdType cell, Adjacency adjacency, std::vector<Index>& neighbors) const;
 
   /**
    * For readers of formats that list the faces of a mesh: provides the faces, so that they need

@@ -16,6 +16,14 @@
 
 namespace camaron
 {
+/// What two neighboring cells share.
+enum class Adjacency
+{
+  Facet, ///< a face of 3D cells, an edge of 2D cells
+  Edge,
+  Vertex
+};
+
 class CellElements
 {
 public:

@@ -13,6 +13,7 @@
 
 #include "Ranks/LinkedPieces.h"
 #include "Ranks/Reducer.h"
+#include "Selection/CellElements.h"
 
 #include <cstdint> // for counts
 #include <vector>  // for marks

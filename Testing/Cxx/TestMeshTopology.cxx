@@ -424,48 +424,6 @@ TEST(MeshTopology, ChangedInPlace)
   EXPECT_EQ(MeshTopology(grid).GetFaces().GetNumberOfFacets(), 6 + 4);
 }
 
-// Layers around a corner cell and of the center cell: selection-and-statistics cases G1 and G2,
-// which count the cell itself.
-TEST(MeshTopology, Neighbors)
-{
-  const auto count = [](const MeshTopology& topology, vtkIdType cell, Adjacency adjacency)
-  {
-    std::vector<Index> neighbors;
-    topology.GetNeighbors(cell, adjacency, neighbors);
-    return neighbors.size() + 1;
-  };
-  for (const bool asPolyhedra : { false, true })
-  {
-    const auto corner = MakeHexahedra(2, 2, 2, asPolyhedra);
-    const MeshTopology ofCorner(corner);
-    EXPECT_EQ(count(ofCorner, 0, Adjacency::Facet), 4u);
-    EXPECT_EQ(count(ofCorner, 0, Adjacency::Edge), 7u);
-    EXPECT_EQ(count(ofCorner, 0, Adjacency::Vertex), 8u);
-    const auto center = MakeHexahedra(3, 3, 3, asPolyhedra);
-    const MeshTopology ofCenter(center);
-    EXPECT_EQ(count(ofCenter, 13, Adjacency::Facet), 7u);
-    EXPECT_EQ(count(ofCenter, 13, Adjacency::Edge), 19u);
-    EXPECT_EQ(count(ofCenter, 13, Adjacency::Vertex), 27u);
-  }
-}
-
-// Two triangles that share an edge, and a third one that only touches a corner.
-TEST(MeshTopology, NeighborsOnSurface)
-{
-  const auto grid =
-    MakeGrid({ { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { 2, 1, 0 }, { 2, 2, 0 } },
-      { { VTK_TRIANGLE, { 0, 1, 2 } }, { VTK_TRIANGLE, { 0, 2, 3 } },
-        { VTK_TRIANGLE, { 2, 4, 5 } } });
-  const MeshTopology topology(grid);
-  std::vector<Index> neighbors;
-  topology.GetNeighbors(0, Adjacency::Facet, neighbors);
-  EXPECT_EQ(neighbors, (std::vector<Index>{ 1 }));
-  topology.GetNeighbors(0, Adjacency::Edge, neighbors);
-  EXPECT_EQ(neighbors, (std::vector<Index>{ 1 }));
-  topology.GetNeighbors(0, Adjacency::Vertex, neighbors);
-  EXPECT_EQ(neighbors, (std::vector<Index>{ 1, 2 }));
-}
-
 // Empty meshes and meshes of points only have empty tables.
 TEST(MeshTopology, Empty)
 {
