@@ -9,9 +9,7 @@
 #include <map>
 #include <string>
 
-#if !defined(_WIN32)
 #include <unistd.h>
-#endif
 
 namespace camaron
 {
@@ -33,13 +31,9 @@ std::uint64_t Hash(std::initializer_list<long long> values)
 //------------------------------------------------------------------------------
 long long GetHost()
 {
-#if defined(_WIN32)
-  return 0;
-#else
   char name[256] = {};
   gethostname(name, sizeof(name) - 1);
   return static_cast<long long>(std::hash<std::string>()(name));
-#endif
 }
 
 //------------------------------------------------------------------------------

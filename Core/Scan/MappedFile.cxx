@@ -7,22 +7,17 @@
 #include "Scan/Inflation.h"
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
-
-#if defined(_WIN32)
-#include <fstream>
-#include <iterator>
-#else
 #include <atomic>
+#include <cerrno>
 #include <csignal>
 #include <cstdint>
-#include <fcntl.h>
+#include <cstring>
 #include <mutex>
+
+#include <fcntl.h>
 #include <sys/mman.h>
 #include <sys/stat.h>
 #include <unistd.h>
-#endif
 
 namespace camaron
 {
@@ -83,39 +78,6 @@ bool MappedFile::HasTrailingData() const
   return this->Content && this->Content->HasTrailingData();
 }
 
-#if defined(_WIN32)
-//------------------------------------------------------------------------------
-MappedFile::~MappedFile() = default;
-
-//------------------------------------------------------------------------------
-bool MappedFile::HasAnyChanged()
-{
-  return false;
-}
-
-//------------------------------------------------------------------------------
-bool MappedFile::IsUnchanged(ScanError&) const
-{
-  return true; // it was read completely
-}
-
-//------------------------------------------------------------------------------
-bool MappedFile::OpenAsIs(const std::string& path, ScanError& error)
-{
-  this->Name = GetFileName(path);
-  std::ifstream stream(path, std::ios::binary);
-  this->Copy.assign(std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>());
-  if (!stream || stream.bad())
-  {
-    error = { ErrorKind::Open, this->Name + ": cannot read the file" };
-    return false;
-  }
-  this->Data = this->Copy.empty() ? "" : this->Copy.data();
-  this->Size = this->Copy.size();
-  FileStates::Add(path, { 0, 0, static_cast<long long>(this->Size), 0, 0 });
-  return true;
-}
-#else
 namespace
 {
 /// Files that a thread has open, in the order of opening.
@@ -266,20 +228,7 @@ bool MappedFile::HasAnyChanged()
   return std::any_of(OpenFiles.begin(), OpenFiles.end(),
     [](const MappedFile* file) { return file->Guard.IsLost() || !file->HasStamp(); });
 }
-#endif
 
-#if defined(_WIN32)
-//------------------------------------------------------------------------------
-bool MappingGuard::Enter(void*, std::size_t)
-{
-  return false; // nothing is mapped there
-}
-void MappingGuard::Leave() {}
-bool MappingGuard::IsLost() const
-{
-  return false;
-}
-#else
 namespace
 {
 /// A guarded mapping; unused while Begin is 0. The signal handler takes no locks.
@@ -415,5 +364,4 @@ bool MappingGuard::IsLost() const
 {
   return this->Slot >= 0 && Places[this->Slot].Lost;
 }
-#endif
 }

@@ -4,7 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#if !defined(_WIN32)
 #include <algorithm>
 #include <csetjmp>
 #include <csignal>
@@ -169,4 +168,3 @@ TEST_F(MappedFileTest, HandlerOnTop)
   EXPECT_EQ(std::count(second.begin(), second.end(), 'x'), static_cast<std::ptrdiff_t>(Size));
   EXPECT_EQ(std::count(first.begin(), first.end(), 'x'), 0);
 }
-#endif
