@@ -35,6 +35,22 @@ std::string GetPlace(const std::string& source, int line)
 }
 
 //------------------------------------------------------------------------------
+// Calls function(line, number) for each line of a text, whatever the line ends.
+template <typename Function>
+void ForEachLine(std::string_view text, Function&& function)
+{
+  const std::string_view mark = "\xef\xbb\xbf"; // byte order
+  text.remove_prefix(text.substr(0, mark.size()) == mark ? mark.size() : 0);
+  for (int number = 1; !text.empty(); ++number)
+  {
+    const std::size_t end = std::min(text.find_first_of("\r\n"), text.size());
+    function(text.substr(0, end), number);
+    text.remove_prefix(end);
+    text.remove_prefix(text.substr(0, 2) == "\r\n" ? 2 : text.empty() ? 0 : 1);
+  }
+}
+
+//------------------------------------------------------------------------------
 class Collector
 {
 public:
@@ -64,21 +80,19 @@ public:
 
   void AddText(const RulesText& text)
   {
-    const std::string_view mark = "\xef\xbb\xbf"; // byte order
-    std::string_view rest = text.Text;
     this->LastSource = text.Name;
-    rest.remove_prefix(rest.substr(0, mark.size()) == mark ? mark.size() : 0);
-    if (!IsUtf8(rest))
+    if (!IsUtf8(text.Text))
     {
       this->AddProblem(text.Name, 0, "expected text in UTF-8, found other bytes");
     }
-    else if (rest.find('\0') != std::string_view::npos)
+    else if (text.Text.find('\0') != std::string::npos)
     {
       this->AddProblem(text.Name, 0, "expected text, found a zero byte");
     }
     else
     {
-      this->AddLines(rest, text.Name);
+      ForEachLine(text.Text,
+        [&](std::string_view line, int number) { this->AddLine(line, text.Name, number); });
     }
   }
 
@@ -129,24 +143,18 @@ private:
     }
   }
 
-  void AddLines(std::string_view text, const std::string& name)
+  void AddLine(std::string_view line, const std::string& name, int number)
   {
-    for (int number = 1; !text.empty(); ++number)
-    {
-      const std::size_t end = std::min(text.find_first_of("\r\n"), text.size());
-      this->Try(name, number,
-        [&]
+    this->Try(name, number,
+      [&]
+      {
+        for (Rule& rule : ParseRuleLine(line, this->Default))
         {
-          for (Rule& rule : ParseRuleLine(text.substr(0, end), this->Default))
-          {
-            rule.Line = number;
-            rule.Source = name;
-            this->AddRule(rule);
-          }
-        });
-      text.remove_prefix(end);
-      text.remove_prefix(text.substr(0, 2) == "\r\n" ? 2 : text.empty() ? 0 : 1);
-    }
+          rule.Line = number;
+          rule.Source = name;
+          this->AddRule(rule);
+        }
+      });
   }
 
   void AddRule(const Rule& rule)
@@ -223,6 +231,27 @@ ParsedRules ParseRules(
     collector.AddText(text);
   }
   return collector.Finish();
+}
+
+//------------------------------------------------------------------------------
+std::vector<Preset::Rule> ParseRanges(
+  const RulesText& text, const Criterion* (*find)(std::string_view))
+{
+  std::vector<Preset::Rule> ranges;
+  ForEachLine(text.Text,
+    [&](std::string_view line, int number)
+    {
+      try
+      {
+        ParseRangeLine(line, find, ranges);
+      }
+      catch (const RuleError& error)
+      {
+        const RuleProblem problem = { text.Name, number, MakeReadable(error.what()) };
+        throw std::runtime_error(problem.GetMessage());
+      }
+    });
+  return ranges;
 }
 
 //------------------------------------------------------------------------------

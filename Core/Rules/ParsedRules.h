@@ -54,6 +54,20 @@ ParsedRules ParseRules(const std::vector<RulesText>& texts, const std::string& p
   const std::string& tolerance = "");
 
 /**
+ * The acceptable ranges in a text. Each line has the name of a criterion and its lowest and highest
+ * acceptable value; `*`, `-` and infinite numbers mean no limit. Angles are in degrees.
+ *
+ *     MinDihedralAngle  15  *    # of our solver
+ *     TetRadiusRatio    0.2 1
+ *
+ * Throws std::runtime_error with file, line, expected and found text for the first unknown or
+ * repeated criterion, limit that is not a number, or empty range.
+ * @param find the criterion with a name, nullptr if there is none; criteria of cells by default
+ */
+std::vector<Preset::Rule> ParseRanges(
+  const RulesText& text, const Criterion* (*find)(std::string_view) = FindCriterion);
+
+/**
  * Reads a file of rules of at most 1 MiB; false with the reason in @a problem if it cannot be read,
  * or is a pipe or a device.
  */
@@ -65,6 +79,10 @@ std::vector<Rule> GetRulesOfPreset(const Preset& preset, const Tolerance& tolera
 /// The rules of a line: none if it is blank, one, or those of a preset. Rules without a tolerance
 /// get @a tolerance. Throws RuleError (RuleLine.h).
 std::vector<Rule> ParseRuleLine(std::string_view line, const Tolerance& tolerance);
+
+/// Adds the range of a line, if any. Throws RuleError.
+void ParseRangeLine(std::string_view line, const Criterion* (*find)(std::string_view),
+  std::vector<Preset::Rule>& ranges);
 
 /// "0.1%", or "5" or "5 cells". Throws RuleError.
 Tolerance ParseTolerance(std::string_view text);

@@ -64,19 +64,11 @@ double TakeLimit(RuleLine& line, const char* expected, double open)
 }
 
 //------------------------------------------------------------------------------
-// Two limits.
-void TakeLimits(RuleLine& line, Rule& rule)
+// A lower and an upper limit.
+void TakeLimits(RuleLine& line, double& low, double& high)
 {
-  if (line.GetKind() == Kind::End)
-  {
-    throw line.MakeError("a range: >= 10, or a lower and an upper limit");
-  }
-  rule.Low = TakeLimit(line, "the lower limit: a number, or * for none", -Infinity);
-  rule.High = TakeLimit(line, "the upper limit: a number, or * for none", Infinity);
-  if (rule.Low == Infinity || rule.High == -Infinity)
-  {
-    throw RuleError("expected a range with values, found none of " + rule.Criterion);
-  }
+  low = TakeLimit(line, "the lower limit: a number, or * for none", -Infinity);
+  high = TakeLimit(line, "the upper limit: a number, or * for none", Infinity);
 }
 
 //------------------------------------------------------------------------------
@@ -108,7 +100,22 @@ void TakeComparisons(RuleLine& line, Rule& rule)
 //------------------------------------------------------------------------------
 void TakeRange(RuleLine& line, Rule& rule)
 {
-  line.GetKind() == Kind::Sign ? TakeComparisons(line, rule) : TakeLimits(line, rule);
+  if (line.GetKind() == Kind::End)
+  {
+    throw line.MakeError("a range: >= 10, or a lower and an upper limit");
+  }
+  if (line.GetKind() == Kind::Sign)
+  {
+    TakeComparisons(line, rule);
+  }
+  else
+  {
+    TakeLimits(line, rule.Low, rule.High);
+  }
+  if (rule.Low == Infinity || rule.High == -Infinity)
+  {
+    throw RuleError("expected a range with values, found none of " + rule.Criterion);
+  }
   if (rule.GetLeast() > rule.GetMost())
   {
     throw RuleError("expected a lower limit that is not above the upper limit, found " +
@@ -450,6 +457,42 @@ std::vector<Rule> ParseRuleLine(std::string_view text, const Tolerance& toleranc
     CheckCriterion(rule);
   }
   return rules;
+}
+
+//------------------------------------------------------------------------------
+void ParseRangeLine(std::string_view text, const Criterion* (*find)(std::string_view),
+  std::vector<Preset::Rule>& ranges)
+{
+  RuleLine line(text);
+  if (line.GetKind() == Kind::End)
+  {
+    return;
+  }
+  const std::string name = line.GetText();
+  const Criterion* const criterion = find(name);
+  if (!criterion)
+  {
+    throw line.MakeError("the name of a criterion", GetNames(GetCriteria()));
+  }
+  if (std::any_of(ranges.begin(), ranges.end(),
+        [&](const Preset::Rule& range) { return name == range.Criterion; }))
+  {
+    throw RuleError("expected one range per criterion, found another range of " + name);
+  }
+  line.Take();
+  Preset::Rule range = { criterion->Name, {} };
+  TakeLimits(line, range.Acceptable[0], range.Acceptable[1]);
+  if (line.GetKind() != Kind::End)
+  {
+    throw line.MakeError("end of line");
+  }
+  if (range.Acceptable[0] > range.Acceptable[1] || range.Acceptable[0] == Infinity ||
+    range.Acceptable[1] == -Infinity)
+  {
+    throw RuleError("expected a lower limit that is not above the upper one, found a range of " +
+      name + " without values");
+  }
+  ranges.push_back(range);
 }
 
 //------------------------------------------------------------------------------

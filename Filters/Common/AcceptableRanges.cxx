@@ -5,12 +5,12 @@
 #include "Base/Parallel.h"
 #include "Cell/CellGeometry.h"
 #include "Cell/Shapes.h"
-#include "Criteria/RangesFile.h"
 #include "Elements/ElementCriteria.h"
 #include "Mesh/CellShape.h"
 #include "Mesh/MeshView.h"
 #include "MeshInput.h"
 #include "PropertyValues.h"
+#include "Rules/ParsedRules.h"
 #include "Scan/MappedFile.h"
 
 #include "vtkMath.h"
@@ -41,21 +41,12 @@ vtkSmartPointer<vtkStringArray> MakePresetNames(const char* first)
 std::vector<Preset::Rule> ReadRanges(const std::string& lines, const std::string& path,
   Reducer& reducer, const Criterion* (*find)(std::string_view))
 {
-  std::vector<Preset::Rule> rules;
-  const auto parse = [&](const std::string& name, const std::string& text)
-  {
-    ScanError error;
-    const auto parsed = ParseRanges(name, text.data(), text.data() + text.size(), error, find);
-    if (error)
-    {
-      throw std::runtime_error(error.Message);
-    }
-    rules.insert(rules.end(), parsed.begin(), parsed.end());
-  };
-  parse("Ranges", lines);
+  std::vector<Preset::Rule> rules = ParseRanges({ "Ranges", lines }, find);
   if (!path.empty())
   {
-    parse(GetFileName(path), ReadSmallFile(path, "a file of ranges", reducer));
+    const auto ofFile =
+      ParseRanges({ GetFileName(path), ReadSmallFile(path, "a file of ranges", reducer) }, find);
+    rules.insert(rules.end(), ofFile.begin(), ofFile.end());
   }
   return rules;
 }

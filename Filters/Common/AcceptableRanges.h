@@ -56,7 +56,7 @@ public:
    * else that of the table of criteria.
    *
    * @param preset name of a preset or GetDefaultRangesName()
-   * @param file path of a file of ranges (RangesFile.h); empty: none. Process 0 reads it for all.
+   * @param file path of a file of ranges (ParsedRules.h); empty: none. Process 0 reads it for all.
    * @param lines lines as of such a file, the same on all processes
    *
    * Throws std::invalid_argument for an unknown preset and std::runtime_error for a file that

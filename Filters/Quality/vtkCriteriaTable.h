@@ -36,7 +36,7 @@ public:
   vtkTypeMacro(vtkCriteriaTable, vtkTableAlgorithm);
 
   ///@{
-  /// File of acceptable ranges (Core/Criteria/RangesFile.h) for output 2. Default: empty, no file.
+  /// File of acceptable ranges (Core/Rules/ParsedRules.h) for output 2. Default: empty, no file.
   vtkSetStdStringFromCharMacro(RangesFile);
   vtkGetCharFromStdStringMacro(RangesFile);
   ///@}

@@ -133,7 +133,7 @@ public:
   ///@{
   /**
    * By criterion, Failed criteria: source of the acceptable ranges, "Default ranges" (default, the
-   * table of criteria) or the name of a preset. Ranges of a file (Core/Criteria/RangesFile.h) take
+   * table of criteria) or the name of a preset. Ranges of a file (Core/Rules/ParsedRules.h) take
    * precedence. Default: empty, no file.
    */
   vtkSetStdStringFromCharMacro(Preset);

@@ -51,7 +51,7 @@ public:
   ///@}
 
   ///@{
-  /// File of acceptable ranges (Core/Criteria/RangesFile.h), which take precedence over those of
+  /// File of acceptable ranges (Core/Rules/ParsedRules.h), which take precedence over those of
   /// the preset. Default: empty, no file.
   vtkSetStdStringFromCharMacro(RangesFile);
   vtkGetCharFromStdStringMacro(RangesFile);

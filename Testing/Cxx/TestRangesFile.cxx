@@ -2,37 +2,36 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Files of acceptable ranges: their contents, and the errors for invalid ones.
 #include "Base/Number.h"
-#include "Criteria/RangesFile.h"
+#include "Rules/ParsedRules.h"
 
 #include <gtest/gtest.h>
 
-#include <limits>
+#include <stdexcept>
 
 using namespace camaron;
 
 namespace
 {
-std::vector<Preset::Rule> ParseRanges(const std::string& text, ScanError& error)
-{
-  return ParseRanges("my.txt", text.data(), text.data() + text.size(), error);
-}
-
 std::string GetMessage(const std::string& text)
 {
-  ScanError error;
-  ParseRanges(text, error);
-  return error.Message;
+  try
+  {
+    ParseRanges({ "my.txt", text });
+    return "";
+  }
+  catch (const std::runtime_error& error)
+  {
+    return error.what();
+  }
 }
 }
 
 //------------------------------------------------------------------------------
 TEST(RangesFile, LimitsCommentsAndLineEnds)
 {
-  ScanError error;
-  const auto rules = ParseRanges("\xef\xbb\xbf# ours\r\n\r\n  Volume 1e-3 * # open\r\nArea - +2.5\n"
-                                 "MinDihedralAngle\t-inf INF\nMaxWarpage 0.1 0.1",
-    error);
-  ASSERT_FALSE(error) << error.Message;
+  const auto rules = ParseRanges({ "my.txt",
+    "\xef\xbb\xbf# ours\r\n\r\n  Volume 1e-3 * # open\r\nArea - "
+    "+2.5\nMinDihedralAngle\t-inf INF\nMaxWarpage 0.1 0.1" });
   const std::vector<Preset::Rule> expected = { { "Volume", { 1e-3, Infinity } },
     { "Area", { -Infinity, 2.5 } }, { "MinDihedralAngle", { -Infinity, Infinity } },
     { "MaxWarpage", { 0.1, 0.1 } } };
@@ -43,8 +42,7 @@ TEST(RangesFile, LimitsCommentsAndLineEnds)
     EXPECT_EQ(rules[i].Acceptable[0], expected[i].Acceptable[0]);
     EXPECT_EQ(rules[i].Acceptable[1], expected[i].Acceptable[1]);
   }
-  EXPECT_TRUE(ParseRanges("", error).empty());
-  EXPECT_FALSE(error);
+  EXPECT_TRUE(ParseRanges({ "my.txt", "" }).empty());
 }
 
 //------------------------------------------------------------------------------
@@ -83,14 +81,4 @@ TEST(RangesFile, ErrorsSayWhereAndWhat)
   // Anything at all is an error with a place, and not a crash.
   EXPECT_EQ(GetMessage(std::string(100000, 'x')).substr(0, 9), "my.txt:1:");
   EXPECT_EQ(GetMessage(std::string("\0\xff\x01", 3)).substr(0, 9), "my.txt:1:");
-}
-
-//------------------------------------------------------------------------------
-TEST(RangesFile, NamesThatComeClose)
-{
-  EXPECT_EQ(FindSimilarName("mindihedral"), "MinDihedralAngle");
-  EXPECT_EQ(FindSimilarName("SkewnessMax"), "");
-  EXPECT_EQ(FindSimilarName("EdgeLenghtRatio"), "EdgeLengthRatio");
-  EXPECT_EQ(FindSimilarName(""), "");
-  EXPECT_EQ(FindSimilarName(std::string(100000, 'M')), "");
 }

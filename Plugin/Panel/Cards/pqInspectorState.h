@@ -62,7 +62,7 @@ public:
   ///@{
   /// The ranges that the user has set: of the current criterion or another one of the elements of
   /// the mesh, none while it has its acceptable range; and all of elements such as "Cell" as lines
-  /// of a file of ranges (Core/Criteria/RangesFile.h).
+  /// of a file of ranges (Core/Rules/ParsedRules.h).
   camaron::Limits userLimits() const { return this->userLimitsOf(this->Criterion); }
   camaron::Limits userLimitsOf(const QString& criterion) const
   {

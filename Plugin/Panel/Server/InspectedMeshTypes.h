@@ -148,7 +148,7 @@ struct ReportRequest
 {
   CheckRequest Rules;
   QStringList
-    Ranges; ///< that the user has set: lines of a file of ranges (Core/Criteria/RangesFile.h)
+    Ranges; ///< that the user has set: lines of a file of ranges (Core/Rules/ParsedRules.h)
 };
 
 struct CheckResult
