@@ -207,7 +207,7 @@ std::optional<Scope> ToScope(unsigned shapes)
 }
 
 //------------------------------------------------------------------------------
-Tolerance Tolerance::OfPercent(const Decimal& percent, const std::string& text)
+Tolerance Tolerance::OfPercent(double percent, const std::string& text)
 {
   Tolerance tolerance;
   tolerance.Percent = percent;
@@ -227,19 +227,20 @@ Tolerance Tolerance::OfCells(std::int64_t count)
 //------------------------------------------------------------------------------
 std::int64_t Tolerance::GetCells(std::int64_t checked) const
 {
-  return this->Percent ? this->Percent->GetPercentOf(checked) : this->Count;
+  if (!this->Percent)
+  {
+    return this->Count;
+  }
+  // A product that is an integer but for rounding is that integer: 29 % of 100.
+  constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
+  const double cells = static_cast<double>(checked) * *this->Percent / 100;
+  return std::min(checked, static_cast<std::int64_t>(std::floor(cells * (1 + rounding))));
 }
 
 //------------------------------------------------------------------------------
 std::string Tolerance::GetText() const
 {
-  if (!this->Percent)
-  {
-    return this->Exact;
-  }
-  double percent = 0;
-  ParseReal(this->Exact.data(), this->Exact.data() + this->Exact.size(), percent);
-  return ToShortText(percent) + "%";
+  return this->Percent ? ToShortText(*this->Percent) + "%" : this->Exact;
 }
 
 //------------------------------------------------------------------------------

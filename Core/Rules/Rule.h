@@ -9,7 +9,6 @@
 #define camaron_Rule_h
 
 #include "Criteria/Criterion.h"
-#include "Rules/Decimal.h"
 
 #include <cstdint>     // for counts
 #include <limits>      // for open ends
@@ -71,7 +70,7 @@ class Tolerance
 {
 public:
   Tolerance() = default;
-  static Tolerance OfPercent(const Decimal& percent, const std::string& text);
+  static Tolerance OfPercent(double percent, const std::string& text);
   static Tolerance OfCells(std::int64_t count);
 
   /// The number of checked cells that may fail.
@@ -83,7 +82,7 @@ public:
   const std::string& GetExactText() const { return this->Exact; }
 
 private:
-  std::optional<Decimal> Percent;
+  std::optional<double> Percent;
   std::int64_t Count = 0;
   std::string Exact = "0";
 };

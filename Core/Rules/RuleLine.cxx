@@ -4,11 +4,10 @@
 
 #include "Base/Number.h"
 #include "Base/Text.h"
-#include "Rules/Decimal.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
-#include <limits>
 #include <optional>
 
 namespace camaron
@@ -23,24 +22,13 @@ bool EndsWord(char32_t character)
 }
 
 //------------------------------------------------------------------------------
-// Decimal numbers and infinity, but not the other numbers of files.
+// Decimal numbers and infinity.
 std::optional<double> ParseNumber(const std::string& word)
 {
-  const std::string lower = ToLower(word);
-  const std::string magnitude =
-    lower.substr(!lower.empty() && (lower[0] == '-' || lower[0] == '+'));
-  double number = 0;
-  if (magnitude == "inf" || magnitude == "infinity")
-  {
-    number = std::numeric_limits<double>::infinity();
-    return lower[0] == '-' ? -number : number;
-  }
-  if (!Decimal::Parse(word))
-  {
-    return std::nullopt;
-  }
-  ParseReal(word.data(), word.data() + word.size(), number);
-  return number;
+  const char* const end = word.data() + word.size();
+  double number;
+  const bool isNumber = ParseReal(word.data(), end, number) == end && !std::isnan(number);
+  return isNumber ? std::make_optional(number) : std::nullopt;
 }
 }
 

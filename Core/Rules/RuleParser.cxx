@@ -235,6 +235,23 @@ Scope TakeBlock(RuleLine& line)
 }
 
 //------------------------------------------------------------------------------
+// An integer of 64 bits; written with a point or an exponent, of so few digits that it is exact.
+std::optional<std::int64_t> ToInteger(const std::string& word)
+{
+  constexpr double mostExact = 9007199254740992; // 2^53
+  const char* const end = word.data() + word.size();
+  std::int64_t integer;
+  double number;
+  if (ParseInteger(word.data(), end, integer) == end)
+  {
+    return integer;
+  }
+  const bool isInteger = ParseReal(word.data(), end, number) == end &&
+    number == std::trunc(number) && std::abs(number) < mostExact;
+  return isInteger ? std::make_optional(static_cast<std::int64_t>(number)) : std::nullopt;
+}
+
+//------------------------------------------------------------------------------
 Scope TakeValue(RuleLine& line)
 {
   const std::string array = line.TakeName("the name of a cell array");
@@ -245,20 +262,16 @@ Scope TakeValue(RuleLine& line)
   line.Take();
   const std::string word = line.GetText();
   line.TakeNumber("an integer");
-  // Of 64 bits, with or without a sign.
-  constexpr int mostDigits = 19;
-  const std::optional<Decimal> number = Decimal::Parse(word);
-  if (number && number->IsInteger() && number->IsAtMostPowerOfTen(mostDigits + 1))
+  if (const std::optional<std::int64_t> integer = ToInteger(word))
   {
-    const std::string text = number->GetInteger();
-    const char* const end = text.data() + text.size();
-    std::int64_t integer;
-    std::uint64_t unsignedInteger;
-    if (ParseInteger(text.data(), end, integer) == end ||
-      std::from_chars(text.data(), end, unsignedInteger).ec == std::errc())
-    {
-      return { ScopeKind::Array, text, array };
-    }
+    return { ScopeKind::Array, std::to_string(*integer), array };
+  }
+  const char* const end = word.data() + word.size();
+  std::uint64_t integer;
+  const auto parsed = std::from_chars(word.data(), end, integer);
+  if (parsed.ec == std::errc() && parsed.ptr == end)
+  {
+    return { ScopeKind::Array, std::to_string(integer), array };
   }
   throw RuleError("expected a 64-bit integer, found '" + word + "'");
 }
@@ -267,8 +280,7 @@ Scope TakeValue(RuleLine& line)
 Tolerance TakeTolerance(RuleLine& line)
 {
   constexpr const char* expected = "a percentage such as 0.1%, or a number of cells";
-  constexpr int ofAll = 2; // 100 %
-  constexpr int mostDigits = 18;
+  constexpr double ofAll = 100;
   if (line.GetKind() != Kind::Word)
   {
     throw line.MakeError(expected);
@@ -280,31 +292,28 @@ Tolerance TakeTolerance(RuleLine& line)
     line.TakeIf("cell");
   }
   const std::string digits = word.substr(0, word.find_last_not_of('%') + 1);
-  const std::optional<Decimal> number = Decimal::Parse(digits);
-  if (!number || digits[0] == '-' || digits.find_first_of("dD") != std::string::npos)
+  const char* const end = digits.data() + digits.size();
+  double number;
+  // Neither infinity nor exponents of Fortran.
+  if (ParseReal(digits.data(), end, number) != end || digits[0] == '-' ||
+    digits.find_first_not_of("+-.0123456789eE") != std::string::npos)
   {
     throw RuleError("expected " + std::string(expected) + ", found '" + word + "'");
   }
-  if (isPercent && !number->IsAtMostPowerOfTen(ofAll))
+  if (isPercent && number > ofAll)
   {
     throw RuleError("expected a percentage of at most 100%, found '" + word + "'");
   }
   if (isPercent)
   {
-    return Tolerance::OfPercent(*number, digits.substr(digits[0] == '+') + "%");
+    return Tolerance::OfPercent(number, digits.substr(digits[0] == '+') + "%");
   }
-  if (!number->IsInteger())
+  if (number != std::trunc(number))
   {
     throw RuleError(
       "expected " + std::string(expected) + ", found '" + word + "'; did you mean " + word + "%?");
   }
-  std::int64_t count = std::numeric_limits<std::int64_t>::max();
-  if (number->IsAtMostPowerOfTen(mostDigits))
-  {
-    const std::string text = number->GetInteger();
-    ParseInteger(text.data(), text.data() + text.size(), count);
-  }
-  return Tolerance::OfCells(count);
+  return Tolerance::OfCells(ToInteger(digits).value_or(std::numeric_limits<std::int64_t>::max()));
 }
 
 //------------------------------------------------------------------------------
