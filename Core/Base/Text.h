@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Text.h
- * @brief Text for messages and keywords: counts, lower case, characters of UTF-8, similar names.
+ * @brief Text for messages and keywords: counts, lower case, UTF-8, similar names.
  */
 #ifndef camaron_Text_h
 #define camaron_Text_h
@@ -19,18 +19,6 @@ namespace camaron
 {
 /// Whether every byte is part of a valid character.
 bool IsUtf8(std::string_view text);
-
-/// The characters of a text; U+FFFD for each invalid byte.
-std::u32string ToCharacters(std::string_view text);
-/// The inverse; @a character must be a valid code.
-void AppendCharacter(std::string& text, char32_t character);
-std::string ToUtf8(std::u32string_view characters);
-
-/// Whether the character is white space, in any script.
-bool IsBlank(char32_t character);
-/// Whether the character can be shown in a message: neither a control or format character, nor
-/// white space other than a blank, nor for private use.
-bool IsPrintable(char32_t character);
 
 /// "1 node" or "12 nodes".
 inline std::string CountOf(vtkIdType count, std::string_view one, std::string_view many)

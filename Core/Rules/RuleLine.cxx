@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <optional>
 
 namespace camaron
@@ -15,10 +14,10 @@ namespace camaron
 namespace
 {
 //------------------------------------------------------------------------------
-bool EndsWord(char32_t character)
+bool EndsWord(char character)
 {
-  return IsBlank(character) ||
-    std::u32string_view(U"#\"'<>=").find(character) != std::u32string::npos;
+  return IsSpace(character) ||
+    std::string_view("#\"'<>=").find(character) != std::string_view::npos;
 }
 
 //------------------------------------------------------------------------------
@@ -35,10 +34,9 @@ std::optional<double> ParseNumber(const std::string& word)
 //------------------------------------------------------------------------------
 RuleLine::RuleLine(std::string_view line)
 {
-  const std::u32string characters = ToCharacters(line);
-  auto at = characters.begin();
-  const auto end = characters.end();
-  while (at = std::find_if_not(at, end, IsBlank), at != end && *at != '#')
+  auto at = line.begin();
+  const auto end = line.end();
+  while (at = std::find_if_not(at, end, IsSpace), at != end && *at != '#')
   {
     auto next = at + 1;
     if (*at == '"' || *at == '\'')
@@ -46,10 +44,9 @@ RuleLine::RuleLine(std::string_view line)
       next = std::find(next, end, *at);
       if (next == end)
       {
-        throw RuleError(
-          "expected a closing " + std::string(1, static_cast<char>(*at)) + ", found end of line");
+        throw RuleError("expected a closing " + std::string(1, *at) + ", found end of line");
       }
-      this->Tokens.push_back({ Kind::Quoted, ToUtf8({ &*at + 1, std::size_t(next - at - 1) }) });
+      this->Tokens.push_back({ Kind::Quoted, std::string(at + 1, next) });
       at = next + 1;
       continue;
     }
@@ -63,7 +60,7 @@ RuleLine::RuleLine(std::string_view line)
     {
       next = std::find_if(next, end, EndsWord);
     }
-    this->Tokens.push_back({ kind, ToUtf8({ &*at, std::size_t(next - at) }) });
+    this->Tokens.push_back({ kind, std::string(at, next) });
     at = next;
   }
 }
@@ -146,8 +143,7 @@ bool RuleLine::TakeIf(std::string_view word)
 //------------------------------------------------------------------------------
 std::string QuoteName(const std::string& name)
 {
-  const std::u32string characters = ToCharacters(name);
-  if (!name.empty() && std::none_of(characters.begin(), characters.end(), EndsWord))
+  if (!name.empty() && std::none_of(name.begin(), name.end(), EndsWord))
   {
     return name;
   }
@@ -155,51 +151,19 @@ std::string QuoteName(const std::string& name)
   return mark + name + mark;
 }
 
-namespace
-{
-//------------------------------------------------------------------------------
-// As Python writes it: \n, \x07, \u200b or \U000e0001.
-void AppendEscaped(std::string& text, char32_t character)
-{
-  const std::u32string_view named = U"\t\n\r";
-  const std::size_t name = named.find(character);
-  if (name != std::u32string_view::npos)
-  {
-    text += { '\\', "tnr"[name] };
-    return;
-  }
-  char code[16];
-  const char* const format = character < 0x100 ? "\\x%02x"
-    : character < 0x10000                      ? "\\u%04x"
-                                               : "\\U%08x";
-  std::snprintf(code, sizeof(code), format, static_cast<unsigned>(character));
-  text += code;
-}
-}
-
 //------------------------------------------------------------------------------
 std::string MakeReadable(const std::string& message)
 {
   constexpr std::ptrdiff_t longest = 79, shown = 60;
-  const std::u32string characters = ToCharacters(message);
   std::string readable;
-  const auto append = [&](char32_t character)
+  for (auto at = message.begin(); at != message.end();)
   {
-    IsPrintable(character) ? AppendCharacter(readable, character)
-                           : AppendEscaped(readable, character);
-  };
-  for (auto at = characters.begin(); at != characters.end();)
-  {
-    if (IsBlank(*at))
-    {
-      append(*at++);
-      continue;
-    }
-    const auto end = std::find_if(at, characters.end(), IsBlank);
-    std::for_each(at, end - at > longest ? at + shown : end, append);
+    const auto end = std::find(at, message.end(), ' ');
+    readable.append(at, end - at > longest ? at + shown : end);
     readable += end - at > longest ? "..." : "";
-    at = end;
+    at = std::find_if_not(end, message.end(), IsSpace);
+    readable.append(end, at);
   }
-  return readable;
+  return MakePrintable(readable);
 }
 }

@@ -67,7 +67,7 @@ private:
 /// The name as a word of a line: in quotation marks if it contains anything that ends a word.
 std::string QuoteName(const std::string& name);
 
-/// The message with long words truncated and escape sequences for unprintable characters.
+/// The message with long words truncated, and printable (Text.h).
 std::string MakeReadable(const std::string& message);
 }
 
