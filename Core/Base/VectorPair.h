@@ -22,57 +22,16 @@
 
 namespace camaron
 {
-#if defined(__GNUC__)
 using Pair = double __attribute__((vector_size(2 * sizeof(double))));
-#else
-struct Pair
-{
-  double Values[2];
-  double operator[](int i) const { return this->Values[i]; }
-  double& operator[](int i) { return this->Values[i]; }
-};
-inline Pair operator+(Pair a, Pair b)
-{
-  return { { a[0] + b[0], a[1] + b[1] } };
-}
-inline Pair operator-(Pair a, Pair b)
-{
-  return { { a[0] - b[0], a[1] - b[1] } };
-}
-inline Pair operator*(Pair a, Pair b)
-{
-  return { { a[0] * b[0], a[1] * b[1] } };
-}
-inline Pair operator/(Pair a, Pair b)
-{
-  return { { a[0] / b[0], a[1] / b[1] } };
-}
-inline Pair operator*(double a, Pair b)
-{
-  return { { a * b[0], a * b[1] } };
-}
-inline Pair operator/(double a, Pair b)
-{
-  return { { a / b[0], a / b[1] } };
-}
-inline Pair operator/(Pair a, double b)
-{
-  return { { a[0] / b, a[1] / b } };
-}
-#endif
 
 inline Pair MakePair(double a, double b)
 {
-#if defined(__GNUC__)
   return Pair{ a, b };
-#else
-  return { { a, b } };
-#endif
 }
 
 inline Pair Sqrt(Pair a)
 {
-#if defined(__SSE2__) && defined(__GNUC__)
+#if defined(__SSE2__)
   return _mm_sqrt_pd(a);
 #else
   return MakePair(std::sqrt(a[0]), std::sqrt(a[1]));
@@ -82,43 +41,27 @@ inline Pair Sqrt(Pair a)
 /// @a a with its sign flipped where @a sign is negative.
 inline Pair TurnSign(Pair a, Pair sign)
 {
-#if defined(__SSE2__) && defined(__GNUC__)
-  const __m128d isBelow = _mm_cmplt_pd(sign, _mm_setzero_pd());
-  return _mm_xor_pd(a, _mm_and_pd(isBelow, _mm_set1_pd(-0.0)));
-#else
-  return MakePair(sign[0] < 0 ? -a[0] : a[0], sign[1] < 0 ? -a[1] : a[1]);
-#endif
+  using Bits = long long __attribute__((vector_size(2 * sizeof(long long))));
+  constexpr Pair zero = {}, signs = { -0.0, -0.0 };
+  return (Pair)((Bits)a ^ ((Bits)(sign < zero) & (Bits)signs));
 }
 
 /// @a yes where @a a is less than @a b, otherwise @a no. Does not branch, because branches are
 /// mispredicted in irregular meshes.
 inline Pair SelectLess(Pair a, Pair b, Pair yes, Pair no)
 {
-#if defined(__SSE2__) && defined(__GNUC__)
-  const __m128d isLess = _mm_cmplt_pd(a, b);
-  return _mm_or_pd(_mm_and_pd(isLess, yes), _mm_andnot_pd(isLess, no));
-#else
-  return MakePair(a[0] < b[0] ? yes[0] : no[0], a[1] < b[1] ? yes[1] : no[1]);
-#endif
+  return a < b ? yes : no;
 }
 
 ///@{
 /// The smaller or larger one; @a b if either is NaN.
 inline Pair Min(Pair a, Pair b)
 {
-#if defined(__SSE2__) && defined(__GNUC__)
-  return _mm_min_pd(a, b);
-#else
-  return SelectLess(a, b, a, b);
-#endif
+  return a < b ? a : b;
 }
 inline Pair Max(Pair a, Pair b)
 {
-#if defined(__SSE2__) && defined(__GNUC__)
-  return _mm_max_pd(a, b);
-#else
-  return SelectLess(b, a, a, b);
-#endif
+  return a > b ? a : b;
 }
 ///@}
 
@@ -131,38 +74,20 @@ inline Pair Abs(Pair a)
 /// Two consecutive numbers in memory.
 inline Pair LoadPair(const double* values)
 {
-#if defined(__SSE2__) && defined(__GNUC__)
-  return _mm_loadu_pd(values);
-#else
   return MakePair(values[0], values[1]);
-#endif
 }
 inline void StorePair(Pair a, double* values)
 {
-#if defined(__SSE2__) && defined(__GNUC__)
-  _mm_storeu_pd(values, a);
-#else
-  values[0] = a[0];
-  values[1] = a[1];
-#endif
+  std::memcpy(values, &a, sizeof(a));
 }
 ///@}
 
-///@{
 /// Two numbers from arbitrary addresses.
-inline Pair GatherPair(const double* a, const double* b)
+template <typename Real>
+Pair GatherPair(const Real* a, const Real* b)
 {
   return MakePair(*a, *b);
 }
-inline Pair GatherPair(const float* a, const float* b)
-{
-#if defined(__SSE2__) && defined(__GNUC__)
-  return _mm_cvtps_pd(_mm_unpacklo_ps(_mm_load_ss(a), _mm_load_ss(b)));
-#else
-  return MakePair(*a, *b);
-#endif
-}
-///@}
 
 ///@{
 /// The same for one number, for templates of either type.
