@@ -23,13 +23,16 @@ void CellGeometry::ComputeCorners()
     {
       for (const int face : { pair.First, pair.Second })
       {
-        this->FaceAngles[face].Clear();
-        this->ComputeFaceAngles(face, this->FaceAngles[face]);
+        this->FaceAngles[face] = this->ComputeFaceAngles(face);
       }
     }
     else
     {
-      isTriangle ? this->ComputeTriangleAngles(pair) : this->ComputePolygonAngles(pair);
+      const AngleRangePair angles = this->GetRingAngles(this->Topology->GetFace(pair.First),
+        this->Topology->GetFace(pair.Second), this->Topology->GetFaceSize(pair.First),
+        VectorPair(this->FaceVectors[pair.First], this->FaceVectors[pair.Second]));
+      this->FaceAngles[pair.First] = angles[0];
+      this->FaceAngles[pair.Second] = angles[1];
     }
   }
 }
@@ -47,39 +50,23 @@ AngleRange CellGeometry::JoinFaceAngles() const
 }
 
 //------------------------------------------------------------------------------
-void CellGeometry::KeepAngles(const CellTopology::FacePair& pair, const AngleRangePair& angles)
+// The angles of two faces with the same number of points, and with an area unless they are
+// triangles.
+inline AngleRangePair CellGeometry::GetRingAngles(
+  const int* first, const int* second, int size, const VectorPair& area) const
 {
-  this->FaceAngles[pair.First] = angles[0];
-  this->FaceAngles[pair.Second] = angles[1];
-}
-
-//------------------------------------------------------------------------------
-void CellGeometry::ComputeTriangleAngles(const CellTopology::FacePair& pair)
-{
-  const int *first = this->Topology->GetFace(pair.First),
-            *second = this->Topology->GetFace(pair.Second);
-  const auto getPoint = [&](int i)
-  { return VectorPair(this->Points[first[i]], this->Points[second[i]]); };
+  const Vector* const points = this->Points.data();
+  const auto getPoint = [=](int i) { return VectorPair(points[first[i]], points[second[i]]); };
   AngleRangePair angles;
-  AddTriangleAngles(getPoint(0), getPoint(1), getPoint(2), angles);
-  this->KeepAngles(pair, angles);
-}
-
-//------------------------------------------------------------------------------
-void CellGeometry::ComputePolygonAngles(const CellTopology::FacePair& pair)
-{
-  const int *first = this->Topology->GetFace(pair.First),
-            *second = this->Topology->GetFace(pair.Second);
-  const int size = this->Topology->GetFaceSize(pair.First);
-  const Vector* points = this->Points.data();
-  const VectorPair area(this->FaceVectors[pair.First], this->FaceVectors[pair.Second]);
-  VectorPair point(points[first[0]], points[second[0]]);
-  VectorPair toPrevious = VectorPair(points[first[size - 1]], points[second[size - 1]]) - point;
-  AngleRangePair angles;
+  if (size == 3)
+  {
+    AddTriangleAngles(getPoint(0), getPoint(1), getPoint(2), angles);
+    return angles;
+  }
+  VectorPair point = getPoint(0), toPrevious = getPoint(size - 1) - point;
   for (int i = 0; i < size; ++i)
   {
-    const int k = i + 1 < size ? i + 1 : 0;
-    const VectorPair next(points[first[k]], points[second[k]]), toNext = next - point;
+    const VectorPair next = getPoint(i + 1 < size ? i + 1 : 0), toNext = next - point;
     const VectorPair normal = Cross(toNext, toPrevious);
     // Reflex if the normal at the corner is opposite to that of the face.
     const Pair sine = TurnSign(Sqrt(Dot(normal, normal)), Dot(normal, area));
@@ -87,11 +74,11 @@ void CellGeometry::ComputePolygonAngles(const CellTopology::FacePair& pair)
     toPrevious = point - next;
     point = next;
   }
-  this->KeepAngles(pair, angles);
+  return angles;
 }
 
 //------------------------------------------------------------------------------
-void CellGeometry::ComputeFaceAngles(int f, AngleRange& angles)
+AngleRange CellGeometry::ComputeFaceAngles(int f)
 {
   const int* ring = this->Topology->GetFace(f);
   int size = this->Topology->GetFaceSize(f);
@@ -115,32 +102,12 @@ void CellGeometry::ComputeFaceAngles(int f, AngleRange& angles)
     ring = this->Ring.data();
     size = static_cast<int>(this->Ring.size());
   }
-  const Vector* points = this->Points.data();
-  if (size == 3)
+  if (size < 3 || (size > 3 && this->IsZeroArea(this->FaceAreas[f])))
   {
-    // All angles have the same sine scaled by the lengths of their sides: twice the area.
-    const Vector a = points[ring[1]] - points[ring[0]], b = points[ring[2]] - points[ring[1]],
-                 c = points[ring[0]] - points[ring[2]];
-    const double sine = Norm(Cross(a, b));
-    angles.Add(sine, -Dot(a, b));
-    angles.Add(sine, -Dot(b, c));
-    angles.Add(sine, -Dot(c, a));
-    return;
+    return {};
   }
-  if (size < 3 || this->IsZeroArea(this->FaceAreas[f]))
-  {
-    return;
-  }
-  Vector toPrevious = points[ring[size - 1]] - points[ring[0]];
-  for (int i = 0; i < size; ++i)
-  {
-    const Vector toNext = points[ring[i + 1 < size ? i + 1 : 0]] - points[ring[i]];
-    const Vector normal = Cross(toNext, toPrevious);
-    const double sine = Norm(normal);
-    const bool reflex = Dot(normal, this->FaceVectors[f]) < 0;
-    angles.Add(reflex ? -sine : sine, Dot(toNext, toPrevious));
-    toPrevious = -toNext;
-  }
+  const VectorPair area(this->FaceVectors[f], this->FaceVectors[f]);
+  return this->GetRingAngles(ring, ring, size, area)[0];
 }
 
 //------------------------------------------------------------------------------
@@ -172,29 +139,22 @@ void CellGeometry::ComputeDihedralAngles()
 }
 
 //------------------------------------------------------------------------------
+// For an edge without a length, or a face without an area, there is no angle.
 void CellGeometry::AddDihedralAngle(int e, AngleRange& angles) const
 {
   const CellTopology::Edge& edge = this->Topology->Edges[e];
-  const double length = std::sqrt(this->SquaredLengths[e]);
-  const double area0 = this->FaceAreas[edge.Faces[0]], area1 = this->FaceAreas[edge.Faces[1]];
-  if (this->IsZeroLength(length) || this->IsZeroArea(area0) || this->IsZeroArea(area1))
+  if (!this->IsZeroLength(std::sqrt(this->SquaredLengths[e])) &&
+    !this->IsZeroArea(this->FaceAreas[edge.Faces[0]]) &&
+    !this->IsZeroArea(this->FaceAreas[edge.Faces[1]]))
   {
-    return;
+    AngleRangePair both;
+    this->AddDihedralAngles(e, e, both);
+    angles.Add(both[0]);
   }
-  const Vector &s0 = this->FaceVectors[edge.Faces[0]], &s1 = this->FaceVectors[edge.Faces[1]];
-  const Vector along = this->Points[edge.Points[1]] - this->Points[edge.Points[0]];
-  // pi - atan2(e (n0 x n1), n0 n1), scaled by the edge length and both areas. Roundoff must not
-  // turn an angle of 0 into 2 pi.
-  double sine = this->OrientationSign * Dot(along, Cross(s0, s1));
-  if (std::abs(sine) <= DihedralRounding * length * area0 * area1)
-  {
-    sine = 0;
-  }
-  angles.Add(sine, -length * Dot(s0, s1));
 }
 
 //------------------------------------------------------------------------------
-// The same for two edges with a length, and two faces with an area each.
+// For two edges with a length, and faces with an area.
 inline void CellGeometry::AddDihedralAngles(int first, int second, AngleRangePair& angles) const
 {
   const CellTopology::Edge *a = &this->Topology->Edges[first], *b = &this->Topology->Edges[second];

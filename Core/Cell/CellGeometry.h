@@ -409,10 +409,9 @@ private:
   void ComputeCentroid();
   void ComputeCorners();
   AngleRange JoinFaceAngles() const;
-  void ComputeFaceAngles(int face, AngleRange& angles);
-  void ComputeTriangleAngles(const CellTopology::FacePair& pair);
-  void ComputePolygonAngles(const CellTopology::FacePair& pair);
-  void KeepAngles(const CellTopology::FacePair& pair, const AngleRangePair& angles);
+  AngleRange ComputeFaceAngles(int face);
+  AngleRangePair GetRingAngles(
+    const int* first, const int* second, int size, const VectorPair& area) const;
   void ComputeDihedralAngles();
   void ComputeSolidAngles();
   void AddDihedralAngle(int edge, AngleRange& angles) const;
