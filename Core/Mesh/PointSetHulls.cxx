@@ -3,6 +3,7 @@
 #include "Mesh/PointSetHulls.h"
 
 #include "Geometry/ConvexHull.h"
+#include "Mesh/CellWriter.h"
 #include "Mesh/MeshView.h"
 
 #include "vtkCellArray.h"
@@ -11,7 +12,6 @@
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
-#include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
@@ -55,41 +55,40 @@ vtkSmartPointer<vtkUnstructuredGrid> WithHulls(vtkUnstructuredGrid* grid, int hu
   {
     return grid;
   }
-  vtkNew<vtkCellArray> connectivity, faces, locations;
-  vtkNew<vtkUnsignedCharArray> types;
+  CellWriter writer;
   ConvexHull hull;
   vtkNew<vtkIdList> points;
   vtkNew<vtkCellArray> cellFaces;
+  const auto addFace = [&]
+  {
+    std::for_each(
+      points->begin(), points->end(), [&](vtkIdType point) { writer.AddFacePoint(point); });
+    writer.EndFace();
+  };
   for (vtkIdType id = 0; id < grid->GetNumberOfCells(); ++id)
   {
     const int type = grid->GetCellType(id);
     grid->GetCellPoints(id, points);
-    connectivity->InsertNextCell(points);
-    locations->InsertNextCell(0);
+    std::for_each(points->begin(), points->end(), [&](vtkIdType point) { writer.AddPoint(point); });
     if (type == VTK_CONVEX_POINT_SET)
     {
-      int numberOfFaces = 0;
       const std::vector<Vector> corners = GetPoints(mesh, points);
       if (std::all_of(corners.begin(), corners.end(), IsFinite))
       {
         hull.Compute(corners);
         for (const std::vector<int>& face : hull.GetFaces())
         {
-          locations->InsertCellPoint(faces->InsertNextCell(static_cast<int>(face.size())));
           for (const int corner : face)
           {
-            faces->InsertCellPoint(points->GetId(corner));
+            writer.AddFacePoint(points->GetId(corner));
           }
+          writer.EndFace();
         }
-        numberOfFaces = static_cast<int>(hull.GetFaces().size());
       }
       else if (hullType == VTK_CONVEX_POINT_SET)
       {
-        // A face with all points lets evaluations detect the nonfinite coordinates.
-        locations->InsertCellPoint(faces->InsertNextCell(points));
-        numberOfFaces = 1;
+        addFace(); // with all points, so that evaluations detect the nonfinite coordinates
       }
-      locations->UpdateCellCount(numberOfFaces);
     }
     else if (type == VTK_POLYHEDRON)
     {
@@ -97,16 +96,14 @@ vtkSmartPointer<vtkUnstructuredGrid> WithHulls(vtkUnstructuredGrid* grid, int hu
       for (vtkIdType f = 0; f < cellFaces->GetNumberOfCells(); ++f)
       {
         cellFaces->GetCellAtId(f, points);
-        locations->InsertCellPoint(faces->InsertNextCell(points));
+        addFace();
       }
-      locations->UpdateCellCount(static_cast<int>(cellFaces->GetNumberOfCells()));
     }
-    types->InsertNextValue(
-      static_cast<unsigned char>(type == VTK_CONVEX_POINT_SET ? hullType : type));
+    writer.EndCell(static_cast<unsigned char>(type == VTK_CONVEX_POINT_SET ? hullType : type));
   }
   auto result = vtkSmartPointer<vtkUnstructuredGrid>::New();
   result->SetPoints(grid->GetPoints());
-  result->SetPolyhedralCells(types, connectivity, locations, faces);
+  writer.SetCells(result);
   result->GetCellData()->ShallowCopy(grid->GetCellData());
   result->GetPointData()->ShallowCopy(grid->GetPointData());
   result->GetFieldData()->ShallowCopy(grid->GetFieldData());
