@@ -391,70 +391,36 @@ constexpr int NumberOfExamples = 5; // in messages
 constexpr double MaxDegree = 1000;  // VTK evaluates up to 10
 
 //------------------------------------------------------------------------------
-// The shape of cells of variable order.
-enum class Form
+// The Lagrange type of the same shape as a Lagrange or Bezier type, which VTK numbers in the same
+// order; 0 for other types.
+int GetLagrangeType(int type)
 {
-  None,
-  Curve,
-  Triangle,
-  Quadrilateral,
-  Tetrahedron,
-  Hexahedron,
-  Wedge,
-  Pyramid
-};
-
-//------------------------------------------------------------------------------
-Form GetForm(unsigned char type)
-{
-  switch (type)
-  {
-    case VTK_LAGRANGE_CURVE:
-    case VTK_BEZIER_CURVE:
-      return Form::Curve;
-    case VTK_LAGRANGE_TRIANGLE:
-    case VTK_BEZIER_TRIANGLE:
-      return Form::Triangle;
-    case VTK_LAGRANGE_QUADRILATERAL:
-    case VTK_BEZIER_QUADRILATERAL:
-      return Form::Quadrilateral;
-    case VTK_LAGRANGE_TETRAHEDRON:
-    case VTK_BEZIER_TETRAHEDRON:
-      return Form::Tetrahedron;
-    case VTK_LAGRANGE_HEXAHEDRON:
-    case VTK_BEZIER_HEXAHEDRON:
-      return Form::Hexahedron;
-    case VTK_LAGRANGE_WEDGE:
-    case VTK_BEZIER_WEDGE:
-      return Form::Wedge;
-    case VTK_LAGRANGE_PYRAMID:
-    case VTK_BEZIER_PYRAMID:
-      return Form::Pyramid;
-    default:
-      return Form::None;
-  }
+  constexpr int difference = VTK_BEZIER_CURVE - VTK_LAGRANGE_CURVE;
+  const bool isLagrange = type >= VTK_LAGRANGE_CURVE && type <= VTK_LAGRANGE_PYRAMID;
+  const bool isBezier = type >= VTK_BEZIER_CURVE && type <= VTK_BEZIER_PYRAMID;
+  return isLagrange ? type : isBezier ? type - difference : 0;
 }
 
 //------------------------------------------------------------------------------
 // The number of points of a cell with these degrees.
-vtkIdType GetSize(Form form, const std::array<vtkIdType, 3>& degrees)
+vtkIdType GetSize(int lagrange, const std::array<vtkIdType, 3>& degrees)
 {
   const vtkIdType i = degrees[0] + 1, j = degrees[1] + 1, k = degrees[2] + 1;
-  switch (form)
+  switch (lagrange)
   {
-    case Form::Curve:
+    case VTK_LAGRANGE_CURVE:
       return i;
-    case Form::Triangle:
+    case VTK_LAGRANGE_TRIANGLE:
       return i * (i + 1) / 2;
-    case Form::Quadrilateral:
+    case VTK_LAGRANGE_QUADRILATERAL:
       return i * j;
-    case Form::Tetrahedron:
+    case VTK_LAGRANGE_TETRAHEDRON:
       return i * (i + 1) * (i + 2) / 6;
-    case Form::Hexahedron:
+    case VTK_LAGRANGE_HEXAHEDRON:
       return i * j * k;
-    case Form::Wedge:
+    case VTK_LAGRANGE_WEDGE:
       return i * (i + 1) / 2 * k;
-    case Form::Pyramid:
+    case VTK_LAGRANGE_PYRAMID:
       return i * (i + 1) * (2 * i + 1) / 6;
     default:
       return 0;
@@ -463,21 +429,24 @@ vtkIdType GetSize(Form form, const std::array<vtkIdType, 3>& degrees)
 
 //------------------------------------------------------------------------------
 // VTK's quadratic cells with points at the centers of their faces and their volume; else 0.
-vtkIdType GetSizeWithCenters(Form form)
+vtkIdType GetSizeWithCenters(int lagrange)
 {
-  return form == Form::Triangle ? 7 : form == Form::Tetrahedron ? 15 : form == Form::Wedge ? 21 : 0;
+  return lagrange == VTK_LAGRANGE_TRIANGLE ? 7
+    : lagrange == VTK_LAGRANGE_TETRAHEDRON ? 15
+    : lagrange == VTK_LAGRANGE_WEDGE       ? 21
+                                           : 0;
 }
 
 //------------------------------------------------------------------------------
-bool IsSizeOfAnOrder(Form form, vtkIdType size)
+bool IsSizeOfAnOrder(int lagrange, vtkIdType size)
 {
   vtkIdType order = 1;
-  while (GetSize(form, { order, order, order }) < size)
+  while (GetSize(lagrange, { order, order, order }) < size)
   {
     ++order;
   }
-  return GetSize(form, { order, order, order }) == size ||
-    (size > 0 && size == GetSizeWithCenters(form));
+  return GetSize(lagrange, { order, order, order }) == size ||
+    (size > 0 && size == GetSizeWithCenters(lagrange));
 }
 }
 
@@ -487,7 +456,7 @@ CellSizes::CellSizes(vtkDataSet* mesh)
 {
   for (int type = 0; type < 256; ++type)
   {
-    const bool hasOrder = GetForm(static_cast<unsigned char>(type)) != Form::None;
+    const bool hasOrder = GetLagrangeType(type) != 0;
     this->Sizes[type] = hasOrder || type == VTK_QUADRATIC_POLYGON
       ? SomeSizes
       : GetCellShape(static_cast<unsigned char>(type)).NumberOfNodes;
@@ -498,9 +467,10 @@ CellSizes::CellSizes(vtkDataSet* mesh)
 // The order of simplices is always the same in all directions.
 bool CellSizes::DependOnCell(unsigned char type) const
 {
-  const Form form = GetForm(type);
+  const int lagrange = GetLagrangeType(type);
   return this->Degrees &&
-    (form == Form::Quadrilateral || form == Form::Hexahedron || form == Form::Wedge);
+    (lagrange == VTK_LAGRANGE_QUADRILATERAL || lagrange == VTK_LAGRANGE_HEXAHEDRON ||
+      lagrange == VTK_LAGRANGE_WEDGE);
 }
 
 //------------------------------------------------------------------------------
@@ -512,7 +482,7 @@ bool CellSizes::GetDegrees(
     return false;
   }
   degrees[2] = 1;
-  for (int i = 0; i < (GetForm(type) == Form::Quadrilateral ? 2 : 3); ++i)
+  for (int i = 0; i < (GetLagrangeType(type) == VTK_LAGRANGE_QUADRILATERAL ? 2 : 3); ++i)
   {
     const double degree = this->Degrees->GetComponent(cell, i);
     if (!(degree >= 1 && degree <= MaxDegree))
@@ -535,18 +505,20 @@ bool CellSizes::CanBe(vtkIdType cell, unsigned char type, vtkIdType size) const
   {
     return size % 2 == 0; // a vertex and the middle of an edge in turn
   }
-  const Form form = GetForm(type);
+  const int lagrange = GetLagrangeType(type);
   if (!this->DependOnCell(type))
   {
-    return IsSizeOfAnOrder(form, size);
+    return IsSizeOfAnOrder(lagrange, size);
   }
   std::array<vtkIdType, 3> degrees;
-  if (!this->GetDegrees(cell, type, degrees) || (form == Form::Wedge && degrees[0] != degrees[1]))
+  if (!this->GetDegrees(cell, type, degrees) ||
+    (lagrange == VTK_LAGRANGE_WEDGE && degrees[0] != degrees[1]))
   {
     return false;
   }
   const bool isQuadratic = degrees[0] == 2 && degrees[2] == 2;
-  return GetSize(form, degrees) == size || (isQuadratic && size == GetSizeWithCenters(form));
+  return GetSize(lagrange, degrees) == size ||
+    (isQuadratic && size == GetSizeWithCenters(lagrange));
 }
 
 //------------------------------------------------------------------------------
@@ -560,7 +532,7 @@ std::string CellSizes::Describe(vtkIdType cell, unsigned char type) const
   {
     return "an even number";
   }
-  const Form form = GetForm(type);
+  const int lagrange = GetLagrangeType(type);
   std::array<vtkIdType, 3> degrees;
   if (this->DependOnCell(type) && !this->GetDegrees(cell, type, degrees))
   {
@@ -570,18 +542,18 @@ std::string CellSizes::Describe(vtkIdType cell, unsigned char type) const
   {
     const std::string first = std::to_string(degrees[0]), second = std::to_string(degrees[1]),
                       third = std::to_string(degrees[2]);
-    if (form == Form::Wedge && degrees[0] != degrees[1])
+    if (lagrange == VTK_LAGRANGE_WEDGE && degrees[0] != degrees[1])
     {
       return "equal degrees in its triangles, not " + first + " and " + second;
     }
-    return std::to_string(GetSize(form, degrees)) + " for its degrees " + first +
-      (form == Form::Quadrilateral ? " and " + second : ", " + second + " and " + third);
+    return std::to_string(GetSize(lagrange, degrees)) + " for its degrees " + first +
+      (lagrange == VTK_LAGRANGE_QUADRILATERAL ? " and " + second : ", " + second + " and " + third);
   }
   std::string sizes;
   for (vtkIdType order = 1; order <= NumberOfExamples; ++order)
   {
-    sizes += std::to_string(GetSize(form, { order, order, order })) + ", ";
-    const vtkIdType size = order == 2 ? GetSizeWithCenters(form) : 0;
+    sizes += std::to_string(GetSize(lagrange, { order, order, order })) + ", ";
+    const vtkIdType size = order == 2 ? GetSizeWithCenters(lagrange) : 0;
     sizes += size > 0 ? std::to_string(size) + ", " : "";
   }
   return sizes + "...";
