@@ -17,12 +17,6 @@ double Square(double value)
 {
   return value * value;
 }
-
-//------------------------------------------------------------------------------
-double GetDistanceToInterval(double x, double low, double high)
-{
-  return std::max({ low - x, 0.0, x - high });
-}
 }
 
 //------------------------------------------------------------------------------
@@ -35,10 +29,7 @@ BallSolid::BallSolid(const Vector& center, double radius, double tolerance)
 //------------------------------------------------------------------------------
 bool BallSolid::MayMeet(const Bounds& box) const
 {
-  const Vector nearest = { GetDistanceToInterval(this->Center.X, box.Low.X, box.High.X),
-    GetDistanceToInterval(this->Center.Y, box.Low.Y, box.High.Y),
-    GetDistanceToInterval(this->Center.Z, box.Low.Z, box.High.Z) };
-  return Norm2(nearest) <= this->SquaredRadius;
+  return box.GetSquaredDistance(this->Center) <= this->SquaredRadius;
 }
 
 //------------------------------------------------------------------------------
