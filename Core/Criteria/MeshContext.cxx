@@ -5,7 +5,6 @@
 #include "Base/Parallel.h"
 #include "Cell/CellNeighborhood.h"
 #include "Mesh/DuplicateCells.h"
-#include "Mesh/FacetLinks.h"
 
 #include "vtkDataArray.h"
 
@@ -38,60 +37,6 @@ const std::vector<Vector>& MeshContext::GetCellVectors() const
   std::call_once(this->CellVectorsOnce,
     [this] { this->CellVectors = ComputeCellVectors(this->Topology.GetMesh(), this->Options); });
   return this->CellVectors;
-}
-
-//------------------------------------------------------------------------------
-const std::map<Index, NormalFan>& MeshContext::GetNormalFans() const
-{
-  std::call_once(this->NormalFansOnce,
-    [this]
-    {
-      constexpr std::size_t Many = 64;
-      const FacetTable& edges = this->Topology.GetSurfaceEdges();
-      const FacetLinks* links = this->Options.Links ? &this->Options.Links->Edges : nullptr;
-      for (Index edge = 0; edge < edges.GetNumberOfFacets(); ++edge)
-      {
-        const std::size_t linked = links ? links->GetNumberOfCells(edge) : 0;
-        const Index own = edges.HasMoreThanTwoCells(edge) ? edges.GetNumberOfCells(edge) : 0;
-        if (std::max(linked, static_cast<std::size_t>(own)) > Many)
-        {
-          this->NormalFans.emplace(edge, this->GatherNormals(edge));
-        }
-      }
-    });
-  return this->NormalFans;
-}
-
-//------------------------------------------------------------------------------
-NormalFan MeshContext::GatherNormals(Index edge) const
-{
-  const FacetTable& edges = this->Topology.GetSurfaceEdges();
-  const std::vector<Vector>& vectors = this->GetCellVectors();
-  const bool isLinked = this->Options.Links && this->Options.Links->Edges.Has(edge);
-  std::vector<Index> cells;
-  edges.GetCells(edge, cells);
-  NormalFan fan;
-  for (const Index cell : cells)
-  {
-    if (isLinked && this->Options.IsCopy(cell))
-    {
-      continue;
-    }
-    for (const CellFacet use : edges.GetCellFacets(cell))
-    {
-      if (use.Facet() == edge)
-      {
-        fan.Add(use.IsReversed() ? vectors[cell] : -vectors[cell], cell);
-      }
-    }
-  }
-  if (isLinked)
-  {
-    this->Options.Links->Edges.ForEach(edge, [&fan](const LinkedCell& cell, bool isReversed)
-      { fan.Add(isReversed ? cell.Area : -cell.Area, NormalFan::Unknown); });
-  }
-  fan.Sort();
-  return fan;
 }
 
 //------------------------------------------------------------------------------

@@ -11,10 +11,8 @@
 #define camaron_MeshContext_h
 
 #include "Cell/CellGeometry.h"
-#include "Criteria/NormalFan.h"
 #include "Mesh/MeshTopology.h"
 
-#include <map>    // for the fans
 #include <mutex>  // for std::once_flag
 #include <vector> // for the tables
 
@@ -36,18 +34,12 @@ public:
   double GetId(vtkIdType cell) const;
   /// Vector areas of the 2D cells; zero for other cells.
   const std::vector<Vector>& GetCellVectors() const;
-  /// For the edges with so many polygons that trying all pairs would take long: the normals of
-  /// those that the evaluated cells see, each as if it traversed the edge against its owner.
-  const std::map<Index, NormalFan>& GetNormalFans() const;
   /// For every cell, the lowest id of all cells with the same points, or -1 if it has no duplicate.
   const std::vector<double>& GetDuplicateIds() const;
 
 private:
-  NormalFan GatherNormals(Index edge) const;
-
-  mutable std::once_flag CellVectorsOnce, NormalFansOnce, DuplicateIdsOnce;
+  mutable std::once_flag CellVectorsOnce, DuplicateIdsOnce;
   mutable std::vector<Vector> CellVectors;
-  mutable std::map<Index, NormalFan> NormalFans;
   mutable std::vector<double> DuplicateIds;
 };
 }

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Cell/AngleRange.h"
 #include "Criteria/CriterionRows.h"
-#include "Criteria/NormalFan.h"
 #include "Mesh/CellFacets.h"
 #include "Mesh/FacetLinks.h"
 #include "Ranks/SurfaceSides.h"
@@ -76,7 +75,6 @@ void NeighborNormalAngle(const MeshContext& mesh, vtkIdType begin, vtkIdType end
   const FacetTable& edges = mesh.Topology.GetSurfaceEdges();
   const std::vector<Vector>& vectors = mesh.GetCellVectors();
   const double factor = GetAngleFactor(mesh.Options.Angles);
-  const std::map<Index, NormalFan>& fans = mesh.GetNormalFans();
   std::vector<Index> cells;
   for (vtkIdType cell = begin; cell < end; ++cell)
   {
@@ -90,16 +88,6 @@ void NeighborNormalAngle(const MeshContext& mesh, vtkIdType begin, vtkIdType end
     double chosen = -1;
     for (const CellFacet edge : edges.GetCellFacets(cell))
     {
-      const auto fan = fans.find(edge.Facet());
-      if (fan != fans.end() && !mesh.Options.IsCopy(cell))
-      {
-        findings.HasNeighbor = true;
-        const double angle = Norm2(own) > 0
-          ? fan->second.Find<Choose>(edge.IsReversed() ? -own : own, static_cast<Index>(cell))
-          : -1;
-        chosen = chosen < 0 ? angle : angle < 0 ? chosen : Choose(chosen, angle);
-        continue;
-      }
       ForEachOther(mesh, vectors, edges, cell, edge, cells, findings,
         [&](const Vector& other, bool isOpposite)
         {

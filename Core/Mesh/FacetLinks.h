@@ -36,11 +36,6 @@ public:
   /// Whether a cell of another piece has this facet.
   bool Has(Index facet) const { return !this->Marks.empty() && this->Marks[facet]; }
 
-  /// Number of cells at a facet in all pieces, including this one; 0 if no other piece has it.
-  std::size_t GetNumberOfCells(Index facet) const
-  {
-    return this->Has(facet) ? this->Find(facet).Last - this->Find(facet).First : 0;
-  }
   /// Calls @a visit(const LinkedCell&, bool isReversed) for the other cells at a facet, in an order
   /// that is the same on all ranks. isReversed is relative to the facet's owner in this piece, as
   /// in CellFacet.

@@ -262,8 +262,7 @@ TEST(CriteriaNeighbors, NeighborNormals)
 }
 
 //------------------------------------------------------------------------------
-// Many polygons at one edge are in a tree of their normals. If this fails, an extreme neighbor is
-// missed.
+// Many polygons at one edge. If this fails, an extreme neighbor is missed.
 TEST(CriteriaNeighbors, NormalsAroundAnEdge)
 {
   // Triangles and warped quadrilaterals in random and in frequent directions, either way round.
