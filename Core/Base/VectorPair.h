@@ -105,78 +105,56 @@ inline double TurnSign(double a, double sign)
 }
 ///@}
 
-/// One vector per lane; Lanes is the type of their components.
-template <typename Lanes>
-struct VectorLanes
+/// Two vectors, one in each half of the numbers.
+struct VectorPair
 {
-  Lanes X{}, Y{}, Z{};
+  Pair X{}, Y{}, Z{};
 
-  VectorLanes() = default;
-  VectorLanes(const Lanes& x, const Lanes& y, const Lanes& z)
+  VectorPair() = default;
+  VectorPair(Pair x, Pair y, Pair z)
     : X(x)
     , Y(y)
     , Z(z)
   {
   }
-  ///@{
-  /// Constructors for the number of lanes.
-  VectorLanes(const Vector& a, const Vector& b)
-    : X(Lanes{ a.X, b.X })
-    , Y(Lanes{ a.Y, b.Y })
-    , Z(Lanes{ a.Z, b.Z })
+  VectorPair(const Vector& a, const Vector& b)
+    : X(MakePair(a.X, b.X))
+    , Y(MakePair(a.Y, b.Y))
+    , Z(MakePair(a.Z, b.Z))
   {
-    static_assert(sizeof(Lanes) == 2 * sizeof(double), "one vector for each lane");
   }
-  VectorLanes(const Vector& a, const Vector& b, const Vector& c, const Vector& d)
-    : X(Lanes{ a.X, b.X, c.X, d.X })
-    , Y(Lanes{ a.Y, b.Y, c.Y, d.Y })
-    , Z(Lanes{ a.Z, b.Z, c.Z, d.Z })
-  {
-    static_assert(sizeof(Lanes) == 4 * sizeof(double), "one vector for each lane");
-  }
-  ///@}
   Vector operator[](int i) const { return { this->X[i], this->Y[i], this->Z[i] }; }
 };
 
-using VectorPair = VectorLanes<Pair>;
-
-template <typename Lanes>
-VectorLanes<Lanes> operator+(const VectorLanes<Lanes>& a, const VectorLanes<Lanes>& b)
+inline VectorPair operator+(const VectorPair& a, const VectorPair& b)
 {
   return { a.X + b.X, a.Y + b.Y, a.Z + b.Z };
 }
-template <typename Lanes>
-VectorLanes<Lanes> operator-(const VectorLanes<Lanes>& a, const VectorLanes<Lanes>& b)
+inline VectorPair operator-(const VectorPair& a, const VectorPair& b)
 {
   return { a.X - b.X, a.Y - b.Y, a.Z - b.Z };
 }
-template <typename Lanes>
-VectorLanes<Lanes> operator*(const Lanes& s, const VectorLanes<Lanes>& a)
+inline VectorPair operator*(Pair s, const VectorPair& a)
 {
   return { s * a.X, s * a.Y, s * a.Z };
 }
-template <typename Lanes>
-VectorLanes<Lanes> operator*(double s, const VectorLanes<Lanes>& a)
+inline VectorPair operator*(double s, const VectorPair& a)
 {
   return { s * a.X, s * a.Y, s * a.Z };
 }
-template <typename Lanes>
-Lanes Dot(const VectorLanes<Lanes>& a, const VectorLanes<Lanes>& b)
+inline Pair Dot(const VectorPair& a, const VectorPair& b)
 {
   return a.X * b.X + a.Y * b.Y + a.Z * b.Z;
 }
-template <typename Lanes>
-Lanes Norm2(const VectorLanes<Lanes>& a)
+inline Pair Norm2(const VectorPair& a)
 {
   return Dot(a, a);
 }
-template <typename Lanes>
-Lanes Norm(const VectorLanes<Lanes>& a)
+inline Pair Norm(const VectorPair& a)
 {
   return Sqrt(Norm2(a));
 }
-template <typename Lanes>
-VectorLanes<Lanes> Cross(const VectorLanes<Lanes>& a, const VectorLanes<Lanes>& b)
+inline VectorPair Cross(const VectorPair& a, const VectorPair& b)
 {
   return { a.Y * b.Z - a.Z * b.Y, a.Z * b.X - a.X * b.Z, a.X * b.Y - a.Y * b.X };
 }

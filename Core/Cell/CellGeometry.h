@@ -376,27 +376,24 @@ private:
   void ComputeBoxScale() const;
   void ComputeEdges();
   void ComputeFaces(bool withMoments);
-  void ComputeFacesInQuads(bool withMoments);
-  template <typename Group>
-  void ComputeFacesIn(bool withMoments);
-  template <typename Group>
-  void ComputeTriangles(const Group& group, bool withMoments);
-  template <typename Group>
-  void ComputeQuadrilaterals(const Group& group, bool withMoments);
-  template <typename Group>
-  void ComputePolygons(const Group& group, bool withMoments);
-  template <typename Group, typename Weigh>
-  void ComputeCenters(const Group& group, bool withMoments, const typename Group::Vectors& mean,
-    const typename Group::Vectors& sum, Weigh&& weigh);
-  template <typename Group>
-  void KeepFaces(const Group& group, const typename Group::Vectors& areas,
-    const typename Group::Vectors& centers, const typename Group::Lanes& sizes);
-  template <typename Group>
-  void KeepMoments(const Group& group, const typename Group::Vectors& moments);
+  /// get(i) is the i-th point of both faces.
+  auto GetPointsOf(const CellTopology::FacePair& pair) const
+  {
+    return [points = this->Points.data(), first = this->Topology->GetFace(pair.First),
+             second = this->Topology->GetFace(pair.Second)](int i)
+    { return VectorPair(points[first[i]], points[second[i]]); };
+  }
+  void ComputeTriangles(const CellTopology::FacePair& pair, bool withMoments);
+  void ComputeQuadrilaterals(const CellTopology::FacePair& pair, bool withMoments);
+  void ComputePolygons(const CellTopology::FacePair& pair, bool withMoments);
+  template <typename Weigh>
+  void ComputeCenters(const CellTopology::FacePair& pair, bool withMoments, const VectorPair& mean,
+    const VectorPair& sum, Weigh&& weigh);
+  void KeepFaces(const CellTopology::FacePair& pair, const VectorPair& areas,
+    const VectorPair& centers, Pair sizes);
+  void KeepMoments(const CellTopology::FacePair& pair, const VectorPair& moments);
   void ComputeFanAreas() const;
-  void ComputeFanAreasInQuads() const;
-  template <typename Group>
-  void ComputeFanAreasIn() const;
+  Pair GetFanAreas(const CellTopology::FacePair& pair) const;
   void ComputeVolume();
   double SumVolume() const;
   /// Excludes other cell types that collapse to tetrahedra, whose points are in any order.

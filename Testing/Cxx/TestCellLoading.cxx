@@ -1,89 +1,16 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What makes cells fast to evaluate changes none of their values: topologies that cells share, and
-// faces side by side.
-#include "Base/VectorQuad.h"
+// What makes cells fast to evaluate changes none of their values: topologies that cells share.
 #include "Mesh/RecentTopologies.h"
 
 #include "CriteriaTesting.h"
 #include "MeshElementsTesting.h"
 #include "ReferenceShapes.h"
 
-#include <cstring>
 #include <random>
 
 using namespace camaron;
 using namespace camaron::testing;
-
-namespace
-{
-//------------------------------------------------------------------------------
-// Also the reasons of undefined values.
-void ExpectSameBits(const Values& expected, const Values& values, const std::string& what)
-{
-  for (const auto& row : expected)
-  {
-    const std::vector<double>& found = values.at(row.first);
-    ASSERT_EQ(row.second.size(), found.size());
-    EXPECT_EQ(std::memcmp(row.second.data(), found.data(), found.size() * sizeof(double)), 0)
-      << what << ' ' << row.first;
-  }
-}
-
-//------------------------------------------------------------------------------
-std::vector<std::pair<std::string, Grid>> GetMeshes()
-{
-  std::vector<std::pair<std::string, Grid>> meshes;
-  for (const ReferenceShape& shape : GetReferenceShapes())
-  {
-    meshes.emplace_back(shape.Name, shape.Polyhedron);
-  }
-  meshes.emplace_back("warped hexahedra", Warp(MakeHexahedra(3, 3, 3, true), 3));
-  meshes.emplace_back("prisms", MakeHexagonalPrisms(3));
-  meshes.emplace_back("large", Scale(Warp(MakeHexahedra(3, 3, 3, true), 3), 83));
-  meshes.emplace_back(
-    "polygon", MakePolygon({ { 0, 0, 0 }, { 3, 0, 0 }, { 3, 2, 0.25 }, { 1, 1, 0 }, { 0, 2, 0 } }));
-  // A pyramid over many corners, one over a line, and one with a place that is none.
-  Points points;
-  Faces faces = { {} };
-  const int corners = 70;
-  for (int i = 0; i < corners; ++i)
-  {
-    points.push_back(
-      { std::cos(2 * Pi * i / corners), std::sin(2 * Pi * i / corners), 0.01 * (i % 3) });
-    faces[0].push_back(i);
-    faces.push_back({ corners, (i + 1) % corners, i });
-  }
-  points.push_back({ 0, 0, 1 });
-  meshes.emplace_back("many corners", MakePolyhedron(points, faces));
-  for (Point& point : points)
-  {
-    point[1] = point[2];
-  }
-  meshes.emplace_back("flat", MakePolyhedron(points, faces));
-  points[3][0] = std::numeric_limits<double>::quiet_NaN();
-  meshes.emplace_back("not finite", MakePolyhedron(points, faces));
-  return meshes;
-}
-}
-
-//------------------------------------------------------------------------------
-// If this fails, values depend on the processor.
-TEST(CellLoading, FacesInQuadsAsInPairs)
-{
-  if (!UsesVectorQuads)
-  {
-    GTEST_SKIP() << "this processor has no quads";
-  }
-  for (const auto& mesh : GetMeshes())
-  {
-    const Values inQuads = EvaluateAll(mesh.second);
-    UsesVectorQuads = false;
-    const Values inPairs = EvaluateAll(mesh.second);
-    UsesVectorQuads = true;
-    ExpectSameBits(inPairs, inQuads, mesh.first);
-  }
-}
 
 //------------------------------------------------------------------------------
 // If this fails, a cell whose points repeat in its faces as those of the cell before do is taken
