@@ -85,7 +85,7 @@ bool TetGenFacets::Read(TextScanner& scanner, const TextLines* lines, const TetG
   scanner.SkipLine();
   this->HasMarkers = numbers[1] != 0;
   this->Markers.assign(static_cast<std::size_t>(this->Count), 0);
-  this->Unmarked.Start(this->HasMarkers ? this->Count : 0);
+  this->Unmarked = IdSet(this->HasMarkers ? this->Count : 0);
   const bool good = isSmesh
     ? ReadCells(RowSequence(scanner, lines, this->Count), this->Mesh, progress,
         [&](vtkIdType facet, TextRow& row, CellSink& sink)
@@ -133,7 +133,8 @@ bool TetGenFacets::ReadOneByOne(
   TextScanner& scanner, const TetGenNodes& nodes, const Progress& progress)
 {
   constexpr vtkIdType ReportEvery = 4096;
-  this->Unmarked.Start(this->HasMarkers ? this->Count : 0); // the attempt above may have added some
+  this->Unmarked =
+    IdSet(this->HasMarkers ? this->Count : 0); // the attempt above may have added some
   std::vector<CellSink> sinks(1);
   for (vtkIdType facet = 0; facet < this->Count; ++facet)
   {
@@ -255,7 +256,7 @@ void TetGenFacets::AddFields(vtkFieldData* fields) const
 //------------------------------------------------------------------------------
 void TetGenFacets::Warn(Warnings& warnings) const
 {
-  this->Unmarked.Warn(warnings, "facet", "facets");
+  WarnOfUnmarked(this->Unmarked, warnings, "facet", "facets");
   warnings.Add(
     this->WithHoles, "facet", "facets", "with holes, which are not cut out of the polygons");
 }

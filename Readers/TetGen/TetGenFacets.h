@@ -45,7 +45,7 @@ private:
   CellMesh Mesh;
   std::vector<std::int32_t> Facets;  ///< one per cell; empty if every facet is one cell
   std::vector<std::int32_t> Markers; ///< one per facet
-  TetGenUnmarked Unmarked;           ///< facets without marker
+  IdSet Unmarked;                    ///< facets without marker
   std::vector<double> Holes;
   std::vector<std::int32_t> FacetsOfHoles;
   Tally WithHoles;

@@ -92,12 +92,12 @@ bool ReadTetGenInteger(TextRow& row, std::int32_t& value, const char* what)
 }
 
 //------------------------------------------------------------------------------
-void TetGenUnmarked::Warn(Warnings& warnings, const char* one, const char* many) const
+void WarnOfUnmarked(const IdSet& rows, Warnings& warnings, const char* one, const char* many)
 {
   Tally unmarked;
-  for (vtkIdType row = 0; row < this->Rows.GetLimit(); ++row)
+  for (vtkIdType row = 0; row < rows.GetLimit(); ++row)
   {
-    if (this->Rows.Contains(row))
+    if (rows.Contains(row))
     {
       unmarked.Add(row);
     }
@@ -110,7 +110,7 @@ void TetGenColumns::Start(const Layout& layout, vtkIdType rows)
 {
   this->Columns = layout;
   this->FirstIsInteger = true;
-  this->Unmarked.Start(layout.Markers ? rows : 0);
+  this->Unmarked = IdSet(layout.Markers ? rows : 0);
   this->Surplus = VTK_ID_MAX;
   this->Allocate(0);
 }
@@ -215,7 +215,7 @@ void TetGenColumns::AddTo(vtkDataSetAttributes* attributes, const char* first)
 //------------------------------------------------------------------------------
 void TetGenColumns::Warn(Warnings& warnings, const char* one, const char* many) const
 {
-  this->Unmarked.Warn(warnings, one, many);
+  WarnOfUnmarked(this->Unmarked, warnings, one, many);
   if (this->Surplus < VTK_ID_MAX)
   {
     warnings.Add(std::string("values after those that the header declares are omitted, the first "

@@ -40,24 +40,9 @@ bool IsTetGenRow(TextScanner scanner, int ids, int reals);
 /// Reads a 32-bit id or marker.
 bool ReadTetGenInteger(TextRow& row, std::int32_t& value, const char* what);
 
-/**
- * @class camaron::TetGenUnmarked
- * @brief Rows without the marker that the header of their table declares. Rows may be read
- * repeatedly.
- */
-class TetGenUnmarked
-{
-public:
-  /// Starts anew, for a table with so many rows.
-  void Start(vtkIdType rows) { this->Rows = IdSet(rows); }
-  /// Thread-safe.
-  void Add(vtkIdType row) { this->Rows.Add(row); }
-  /// Warns about them, named as in "node", "nodes".
-  void Warn(Warnings& warnings, const char* one, const char* many) const;
-
-private:
-  IdSet Rows;
-};
+/// Warns about rows, named as in "node", "nodes", without the marker that the header of their table
+/// declares.
+void WarnOfUnmarked(const IdSet& rows, Warnings& warnings, const char* one, const char* many);
 
 /**
  * @class camaron::TetGenColumns
@@ -105,7 +90,7 @@ private:
   Buffer<std::int32_t> Markers;
   Buffer<std::int32_t> Tetrahedra;
   std::atomic<bool> FirstIsInteger{ true };
-  TetGenUnmarked Unmarked;
+  IdSet Unmarked;                               ///< rows without marker
   std::atomic<vtkIdType> Surplus{ VTK_ID_MAX }; ///< the first row with more values
 };
 
