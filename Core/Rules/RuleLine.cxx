@@ -21,6 +21,19 @@ bool EndsWord(char character)
 }
 
 //------------------------------------------------------------------------------
+// Lines that were copied from a page may have no-break spaces.
+std::string WithPlainSpaces(std::string_view line)
+{
+  constexpr std::string_view noBreakSpace = "\u00a0";
+  std::string result(line);
+  for (std::size_t at = 0; (at = result.find(noBreakSpace, at)) != std::string::npos;)
+  {
+    result.replace(at, noBreakSpace.size(), " ");
+  }
+  return result;
+}
+
+//------------------------------------------------------------------------------
 // Decimal numbers and infinity.
 std::optional<double> ParseNumber(const std::string& word)
 {
@@ -32,8 +45,9 @@ std::optional<double> ParseNumber(const std::string& word)
 }
 
 //------------------------------------------------------------------------------
-RuleLine::RuleLine(std::string_view line)
+RuleLine::RuleLine(std::string_view text)
 {
+  const std::string line = WithPlainSpaces(text);
   auto at = line.begin();
   const auto end = line.end();
   while (at = std::find_if_not(at, end, IsSpace), at != end && *at != '#')

@@ -25,7 +25,7 @@ class RuleLine
 {
 public:
   /// Splits a line. Throws RuleError if a quotation mark is not closed.
-  explicit RuleLine(std::string_view line);
+  explicit RuleLine(std::string_view text);
 
   enum class Kind
   {

@@ -105,7 +105,8 @@ TEST(Rules, Ranges)
     { ">= 10", 10, Most }, { ">=10", 10, Most }, { "> 0", above0, Most }, { "> 1", above1, Most },
     { "<= 1e3", -Most, 1000 }, { "< 5", -Most, std::nextafter(5.0, 0) }, { "= 3", 3, 3 },
     { "== 3", 3, 3 }, { "> 1 <= 2", above1, 2 }, { "< 2 >= 1", 1, std::nextafter(2.0, 0) },
-    { "3 3", 3, 3 }, { "0.1234567890123 1e300", 0.1234567890123, 1e300 } };
+    { "3 3", 3, 3 }, { "0.1234567890123 1e300", 0.1234567890123, 1e300 },
+    { "\u00a0>=\u00a0\u00a010", 10, Most } };
   for (const auto& [words, least, most] : cases)
   {
     const Rule rule = ParseOne("Volume " + std::string(words));
