@@ -85,7 +85,7 @@ bool FluentFaces::CheckSection(const FluentSection& section, std::int64_t lastId
 bool FluentFaces::Open(FluentFile& file, std::int64_t nodes)
 {
   this->File = &file;
-  this->Nodes = nodes;
+  this->Nodes = static_cast<std::uint32_t>(nodes);
   std::int64_t lastId = 0;
   vtkIdType position = 0;
   for (const FluentSection* section : FluentFile::SortById(file.Faces))

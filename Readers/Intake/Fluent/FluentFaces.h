@@ -79,7 +79,7 @@ public:
   /// Reads the headers of the face sections of a file, which must stay alive; false with the error
   /// in it. @a nodes is the greatest node id.
   bool Open(FluentFile& file, std::int64_t nodes);
-  void SetNumberOfCells(std::int64_t cells) { this->Cells = cells; }
+  void SetNumberOfCells(std::int64_t cells) { this->Cells = static_cast<std::uint32_t>(cells); }
 
   vtkIdType GetCount() const { return this->Runs.empty() ? 0 : this->Runs.back().End; }
   const std::vector<Run>& GetRuns() const { return this->Runs; }
@@ -120,12 +120,18 @@ public:
     const std::int32_t* word = run.Size > 0
       ? run.Words + (begin - run.Begin) * (run.Size + 2)
       : run.Blocks[static_cast<std::size_t>((begin - run.Begin) / BlockSize)];
-    for (vtkIdType face = begin; face < end; ++face)
+    const auto forEach = [&](auto common) // a size that the compiler knows is faster
     {
-      const std::int32_t size = run.Size > 0 ? run.Size : *word++;
-      visit(face, FluentFace{ word, size });
-      word += std::ptrdiff_t(size) + 2;
-    }
+      for (vtkIdType face = begin; face < end; ++face)
+      {
+        const std::int32_t size = common > 0 ? common : run.Size > 0 ? run.Size : *word++;
+        visit(face, FluentFace{ word, size });
+        word += std::ptrdiff_t(size) + 2;
+      }
+    };
+    run.Size == 3     ? forEach(std::integral_constant<std::int32_t, 3>())
+      : run.Size == 4 ? forEach(std::integral_constant<std::int32_t, 4>())
+                      : forEach(std::integral_constant<std::int32_t, 0>());
   }
 
 private:
@@ -137,10 +143,10 @@ private:
   }
   bool CheckSection(const FluentSection& section, std::int64_t lastId);
   void LeaveOutInterfaces();
-  bool IsId(std::int64_t value, bool isNode) const
+  bool IsId(std::int32_t value, bool isNode) const
   {
-    return isNode ? static_cast<std::uint64_t>(value - 1) < static_cast<std::uint64_t>(this->Nodes)
-                  : static_cast<std::uint64_t>(value) <= static_cast<std::uint64_t>(this->Cells);
+    const auto id = static_cast<std::uint32_t>(value);
+    return isNode ? id - 1 < this->Nodes : id <= this->Cells;
   }
   bool CheckIds(const Run& batch, const FluentNumbers<std::int32_t>& numbers) const;
   bool ForBatchesInFile(const Run& run, FunctionRef<bool(const Run&)> visit) const;
@@ -148,7 +154,7 @@ private:
   static std::int64_t SetWords(const std::int32_t* words, std::int64_t size, Run& batch);
 
   FluentFile* File = nullptr;
-  std::int64_t Nodes = 0, Cells = 0; ///< greatest ids
+  std::uint32_t Nodes = 0, Cells = 0; ///< greatest ids
   std::vector<Run> Runs;
 };
 }

@@ -8,6 +8,7 @@
 #include "Intake/Rows/TextLines.h"
 
 #include <algorithm>
+#include <cstring>
 #include <numeric>
 #include <vector>
 
@@ -60,13 +61,21 @@ void FluentNumbers<Number>::Read(std::ptrdiff_t bytes)
   this->Last = this->Begin + this->Count * this->Bytes;
   this->Numbers =
     this->Numbers.size() < this->Count ? Buffer<Number>(this->Count) : std::move(this->Numbers);
-  ParallelForEach(this->Count, LightGrain,
-    [this](vtkIdType i)
+  ParallelFor(this->Count, LightGrain,
+    [this](vtkIdType begin, vtkIdType end)
     {
-      const char* const place = this->Begin + i * this->Bytes;
-      this->Numbers[i] = this->Bytes == sizeof(Number)
-        ? Load<Number>(place, this->Swap)
-        : static_cast<Number>(Load<float>(place, this->Swap));
+      const bool isConverted = this->Swap || this->Bytes != sizeof(Number);
+      const char* place = this->Begin + begin * this->Bytes;
+      if (!isConverted)
+      {
+        std::memcpy(&this->Numbers[begin], place, (end - begin) * sizeof(Number));
+      }
+      for (vtkIdType i = begin; i < end && isConverted; ++i, place += this->Bytes)
+      {
+        this->Numbers[i] = this->Bytes == sizeof(Number)
+          ? Load<Number>(place, this->Swap)
+          : static_cast<Number>(Load<float>(place, this->Swap));
+      }
     });
 }
 
