@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkVisfWriter.h"
 
+#include "Base/Buffer.h"
+#include "Base/Parallel.h"
 #include "Intake/CellMesh/OutputWarnings.h"
 #include "Intake/FaceMesh/SharedFaces.h"
 #include "Intake/Write/NumberEncoder.h"
@@ -10,6 +12,9 @@
 
 #include "vtkDataSet.h"
 #include "vtkObjectFactory.h"
+
+#include <algorithm>
+#include <stdexcept>
 
 namespace camaron
 {
@@ -83,6 +88,97 @@ bool VisfLists::IsCloud(Warnings& warnings) const
 }
 
 //------------------------------------------------------------------------------
+// For every polygon, the polygons that share at least two vertices with it.
+WordLists FindNeighbors(const WordLists& polygons, vtkIdType numberOfPoints)
+{
+  std::vector<vtkIdType> begins; // word of every polygon
+  std::vector<vtkIdType> ends(static_cast<std::size_t>(numberOfPoints) + 1, 0);
+  const auto getIds = [&](vtkIdType polygon, std::vector<std::int32_t>& ids)
+  {
+    const std::int32_t* word = polygons.Words.data() + begins[polygon];
+    ids.assign(word + 1, word + 1 + *word);
+    std::sort(ids.begin(), ids.end());
+    ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+  };
+  std::vector<std::int32_t> ids;
+  vtkIdType at = 0;
+  for (vtkIdType polygon = 0; polygon < polygons.Count; ++polygon)
+  {
+    begins.push_back(at);
+    getIds(polygon, ids);
+    for (const std::int32_t id : ids)
+    {
+      ++ends[id + 1];
+    }
+    at += 1 + polygons.Words[at];
+  }
+  for (std::size_t id = 1; id < ends.size(); ++id)
+  {
+    ends[id] += ends[id - 1];
+  }
+  Buffer<std::int32_t> polygonsOf(ends.back());
+  for (vtkIdType polygon = 0; polygon < polygons.Count; ++polygon)
+  {
+    getIds(polygon, ids);
+    for (const std::int32_t id : ids)
+    {
+      polygonsOf[ends[id]++] = static_cast<std::int32_t>(polygon);
+    }
+  }
+
+  // ends[id] is now the end of the polygons of id, and the begin of the next.
+  const vtkIdType numberOfChunks = (polygons.Count + MediumGrain - 1) / MediumGrain;
+  std::vector<std::vector<std::int32_t>> chunks(static_cast<std::size_t>(numberOfChunks));
+  Progress().For(numberOfChunks,
+    [&](vtkIdType first, vtkIdType last)
+    {
+      std::vector<std::int32_t> points, candidates;
+      for (vtkIdType chunk = first; chunk < last; ++chunk)
+      {
+        std::vector<std::int32_t>& words = chunks[chunk];
+        const vtkIdType end = std::min((chunk + 1) * MediumGrain, polygons.Count);
+        for (vtkIdType polygon = chunk * MediumGrain; polygon < end; ++polygon)
+        {
+          getIds(polygon, points);
+          candidates.clear();
+          for (const std::int32_t id : points)
+          {
+            candidates.insert(candidates.end(), polygonsOf.data() + (id > 0 ? ends[id - 1] : 0),
+              polygonsOf.data() + ends[id]);
+          }
+          std::sort(candidates.begin(), candidates.end());
+          const std::size_t size = words.size();
+          words.push_back(0);
+          for (std::size_t i = 1; i < candidates.size(); ++i)
+          {
+            const bool isSecond =
+              candidates[i] == candidates[i - 1] && (i < 2 || candidates[i] != candidates[i - 2]);
+            if (isSecond && candidates[i] != polygon)
+            {
+              words.push_back(candidates[i]);
+              ++words[size];
+            }
+          }
+        }
+      }
+    });
+  WordLists neighbors;
+  neighbors.Count = polygons.Count;
+  neighbors.Starts.push_back(0);
+  for (const auto& words : chunks)
+  {
+    neighbors.Starts.push_back(neighbors.Starts.back() + static_cast<vtkIdType>(words.size()));
+  }
+  neighbors.Words = Buffer<std::int32_t>(neighbors.Starts.back());
+  for (std::size_t chunk = 0; chunk < chunks.size(); ++chunk)
+  {
+    std::copy(
+      chunks[chunk].begin(), chunks[chunk].end(), neighbors.Words.data() + neighbors.Starts[chunk]);
+  }
+  return neighbors;
+}
+
+//------------------------------------------------------------------------------
 // Converts the parts of a file to bytes.
 class VisfOutput
 {
@@ -147,7 +243,7 @@ private:
 
 //------------------------------------------------------------------------------
 bool Write(OutputFile& file, const std::string& path, vtkDataSet* mesh, int encoding,
-  Warnings& warnings, ScanError& error, const Progress& progress)
+  bool neighbors, Warnings& warnings, ScanError& error, const Progress& progress)
 {
   const VisfLists lists(mesh, warnings);
   WarnOfArrays(mesh, "Visf", warnings);
@@ -163,11 +259,14 @@ bool Write(OutputFile& file, const std::string& path, vtkDataSet* mesh, int enco
   if (good && (lists.Polygons.Count > 0 || lists.Polyhedra.Count > 0))
   {
     output.WriteCount(lists.Polygons.Count);
-    good = output.WriteLists(lists.Polygons, progress.Part(0.4, 0.8));
-  }
-  if (good && lists.Polygons.Count > 0)
-  {
-    output.WriteCount(0); // no neighbors, which follow from the polygons
+    good = output.WriteLists(lists.Polygons, progress.Part(0.4, 0.7));
+    if (good && lists.Polygons.Count > 0)
+    {
+      output.WriteCount(neighbors ? 1 : 0);
+      good = !neighbors ||
+        output.WriteLists(FindNeighbors(lists.Polygons, lists.GetMesh().GetNumberOfPoints()),
+          progress.Part(0.7, 0.8));
+    }
   }
   if (good && lists.Polyhedra.Count > 0)
   {
@@ -193,7 +292,8 @@ bool vtkVisfWriter::WriteMesh(const std::string& path, vtkDataSet* mesh,
 {
   camaron::OutputFile file(path);
   const bool good = !file.HasFailed() &&
-    camaron::Write(file, path, mesh, this->Encoding, warnings, error, progress);
+    camaron::Write(
+      file, path, mesh, this->Encoding, this->WriteNeighbors, warnings, error, progress);
   return file.Finish(good, error);
 }
 
@@ -202,4 +302,5 @@ void vtkVisfWriter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Encoding: " << this->Encoding << "\n";
+  os << indent << "WriteNeighbors: " << this->WriteNeighbors << "\n";
 }

@@ -40,6 +40,17 @@ public:
   vtkGetMacro(Encoding, int);
   ///@}
 
+  ///@{
+  /**
+   * Whether to write for every polygon the polygons that share two or more vertices with it.
+   * Programs can derive these from the polygons; the file becomes about twice as large. Default:
+   * off.
+   */
+  vtkSetMacro(WriteNeighbors, bool);
+  vtkGetMacro(WriteNeighbors, bool);
+  vtkBooleanMacro(WriteNeighbors, bool);
+  ///@}
+
 protected:
   vtkVisfWriter() = default;
   ~vtkVisfWriter() override = default;
@@ -53,6 +64,7 @@ private:
   void operator=(const vtkVisfWriter&) = delete;
 
   int Encoding = ASCII;
+  bool WriteNeighbors = false;
 };
 
 #endif

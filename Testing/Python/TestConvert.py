@@ -450,7 +450,7 @@ class TestConvert(camaron_testing.TestCase):
         source = camaron_testing.EXAMPLES / "voronoi-ball.visf"
         target = self.folder / "-c.visf"
         good = run(
-            *("convert", "--option", "Encoding=Binary Big Endian", "--allow-rounding"),
+            *("convert", "--option", "Encoding=Binary Big Endian", "--write-neighbors"),
             *("--", source, target.name),
             cwd=self.folder,
         )

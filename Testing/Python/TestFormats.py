@@ -82,7 +82,7 @@ class TestFormats(camaron_testing.TestCase):
         for line in (
             "  rw  Camarón Visf mesh: .visf",
             "--encoding ascii|binary-little-endian|binary-big-endian|binary-version-0.2 (ascii)",
-            "--allow-rounding on|off (off)",
+            "--write-neighbors on|off (off)",
             "  rw  VTK UnstructuredGrid Files: .vtu",
             "--data-mode ascii|binary|appended (appended)",
         ):

@@ -126,6 +126,14 @@ class TestVisf(camaron_testing.FormatTestCase):
         simple.SaveData(copy, self.open(whole))
         self.assertEqual(Path(copy).read_bytes(), Path(whole).read_bytes())
 
+    def test_save_neighbors(self):
+        source = self.open(EXAMPLES / "flange.visf")
+        small, large = str(self.folder / "small.visf"), str(self.folder / "large.visf")
+        simple.SaveData(small, source)
+        simple.SaveData(large, source, WriteNeighbors=1)
+        self.assertGreater(Path(large).stat().st_size, Path(small).stat().st_size)
+        self.assertEqual(counts(large), counts(small))
+
     def test_save_surface_and_image(self):
         target = str(self.folder / "sphere.visf")
         sphere = simple.Sphere()

@@ -28,17 +28,23 @@ using namespace camaron::testing;
 namespace
 {
 //------------------------------------------------------------------------------
-Written WriteFile(const std::string& path, vtkDataSet* mesh, int encoding = vtkVisfWriter::ASCII)
+Written WriteFile(const std::string& path, vtkDataSet* mesh, int encoding = vtkVisfWriter::ASCII,
+  bool neighbors = false)
 {
-  return WriteTo<vtkVisfWriter>(
-    path, mesh, [=](vtkVisfWriter* writer) { writer->SetEncoding(encoding); });
+  return WriteTo<vtkVisfWriter>(path, mesh,
+    [=](vtkVisfWriter* writer)
+    {
+      writer->SetEncoding(encoding);
+      writer->SetWriteNeighbors(neighbors);
+    });
 }
 
 //------------------------------------------------------------------------------
-std::string WriteBytes(vtkDataSet* mesh, int encoding = vtkVisfWriter::ASCII)
+std::string WriteBytes(
+  vtkDataSet* mesh, int encoding = vtkVisfWriter::ASCII, bool neighbors = false)
 {
   const File file("", "written.visf");
-  const Written result = WriteFile(file.Path, mesh, encoding);
+  const Written result = WriteFile(file.Path, mesh, encoding, neighbors);
   EXPECT_EQ(result.Success, 1);
   EXPECT_TRUE(result.Errors.empty());
   return GetBytes(file.Path);
@@ -151,12 +157,15 @@ TEST(VisfWriter, RoundTrip)
     for (int encoding = vtkVisfWriter::ASCII; encoding <= vtkVisfWriter::BINARY_VERSION_02;
       ++encoding)
     {
-      const std::string bytes = WriteBytes(first.Grid, encoding);
-      const Result second = ReadBytes(bytes);
-      ASSERT_TRUE(second.Errors.empty()) << second.Errors[0];
-      ExpectSameMesh(first.Grid, second.Grid);
-      EXPECT_EQ(WriteBytes(second.Grid, encoding), bytes);
-      texts.insert(WriteBytes(second.Grid));
+      for (const bool neighbors : { false, true })
+      {
+        const std::string bytes = WriteBytes(first.Grid, encoding, neighbors);
+        const Result second = ReadBytes(bytes);
+        ASSERT_TRUE(second.Errors.empty()) << second.Errors[0];
+        ExpectSameMesh(first.Grid, second.Grid);
+        EXPECT_EQ(WriteBytes(second.Grid, encoding, neighbors), bytes);
+        texts.insert(WriteBytes(second.Grid));
+      }
     }
     EXPECT_EQ(texts.size(), 1u);
   }
@@ -184,6 +193,56 @@ TEST(VisfWriter, TextIsLaidOutAsSpecified)
   EXPECT_EQ(WriteBytes(MakeGrid({ { { 1, 2, 3 } } }, {})), "2 0\n1\n1 2 3\n");
   EXPECT_EQ(
     WriteBytes(MakeGrid({ { { 1, 2, 3 } } }, { { VTK_VERTEX, { 0 } } })), "2 0\n1\n1 2 3\n");
+}
+
+//------------------------------------------------------------------------------
+// If this fails, lists of neighbors differ from their definition: two or more common vertices.
+TEST(VisfWriter, Neighbors)
+{
+  const VisfMesh mesh = MakeBar(4, 2);
+  std::istringstream text(WriteBytes(ReadMesh(mesh, Encoding::Ascii).Grid, 0, true));
+  int number, points;
+  float x;
+  text >> number >> number >> points;
+  for (int i = 0; i < 3 * points; ++i)
+  {
+    text >> x;
+  }
+  const auto readLists = [&text](int count)
+  {
+    std::vector<std::set<int>> lists(count);
+    for (auto& list : lists)
+    {
+      int size, id;
+      text >> size;
+      for (; size > 0; --size)
+      {
+        text >> id;
+        EXPECT_TRUE(list.insert(id).second);
+      }
+    }
+    return lists;
+  };
+  text >> number;
+  const auto polygons = readLists(number);
+  text >> number;
+  EXPECT_EQ(number, 1);
+  const auto neighbors = readLists(static_cast<int>(polygons.size()));
+  for (std::size_t p = 0; p < polygons.size(); ++p)
+  {
+    std::set<int> expected;
+    for (std::size_t q = 0; q < polygons.size(); ++q)
+    {
+      std::vector<int> common;
+      std::set_intersection(polygons[p].begin(), polygons[p].end(), polygons[q].begin(),
+        polygons[q].end(), std::back_inserter(common));
+      if (p != q && common.size() > 1)
+      {
+        expected.insert(static_cast<int>(q));
+      }
+    }
+    EXPECT_EQ(neighbors[p], expected);
+  }
 }
 
 //------------------------------------------------------------------------------
