@@ -4,6 +4,7 @@
 
 #include "vtkSMPTools.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cstdlib>
 #include <cstring>
@@ -110,7 +111,9 @@ void ParallelFor(vtkIdType size, vtkIdType grain, FunctionRef<void(vtkIdType, vt
   WithThreads(
     [&]
     {
-      vtkSMPTools::For(0, size, grain,
+      // VTK passes every range from one thread to another, which costs more than small ranges.
+      const vtkIdType threads = vtkSMPTools::GetEstimatedNumberOfThreads();
+      vtkSMPTools::For(0, size, grain > 0 ? std::max(grain, size / (32 * threads)) : 0,
         [&](vtkIdType begin, vtkIdType end)
         {
           order.load(std::memory_order_acquire);
