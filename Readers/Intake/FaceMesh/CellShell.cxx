@@ -49,19 +49,20 @@ std::uint64_t Hash(std::uint64_t key)
 template <typename GetId>
 void CellShell::Load(const IdList* faces, std::int32_t count, GetId&& getId)
 {
-  this->Faces.clear();
-  this->Lists.clear();
-  this->Begins.assign(1, 0);
+  this->Faces.resize(count);
+  this->Begins.resize(std::size_t(count) + 1);
+  std::int32_t filled = 0, corners = 0;
   for (std::int32_t f = 0; f < count; ++f)
   {
-    if (faces[f].Size > 0)
-    {
-      this->Faces.push_back(getId(f));
-      this->Lists.push_back(faces[f]);
-      this->Begins.push_back(this->Begins.back() + faces[f].Size);
-    }
+    this->Faces[filled] = getId(f);
+    this->Begins[filled] = corners;
+    filled += faces[f].Size > 0;
+    corners += faces[f].Size;
   }
-  this->NumberPoints();
+  this->Begins[filled] = corners;
+  this->Faces.resize(filled);
+  this->Begins.resize(std::size_t(filled) + 1);
+  this->NumberPoints(faces, count);
 }
 
 //------------------------------------------------------------------------------
@@ -78,7 +79,7 @@ void CellShell::Load(const IdList* faces, std::int32_t count)
 
 //------------------------------------------------------------------------------
 // Converts point ids to positions in the list of distinct points.
-void CellShell::NumberPoints()
+void CellShell::NumberPoints(const IdList* faces, std::int32_t count)
 {
   const std::int32_t numberOfCorners = this->Begins.back();
   this->Turned.assign(this->Faces.size(), 0);
@@ -91,8 +92,9 @@ void CellShell::NumberPoints()
   std::int32_t* const ids = this->Ids.data();
   std::int32_t* corner = this->Corners.data();
   std::int32_t numberOfIds = 0;
-  for (const IdList& face : this->Lists)
+  for (std::int32_t f = 0; f < count; ++f)
   {
+    const IdList face = faces[f];
     for (std::int32_t i = 0; i < face.Size; ++i)
     {
       const std::int32_t id = face[i];

@@ -80,7 +80,7 @@ public:
 private:
   template <typename GetId>
   void Load(const IdList* faces, std::int32_t count, GetId&& getId);
-  void NumberPoints();
+  void NumberPoints(const IdList* faces, std::int32_t count);
   bool PairEdges();
   template <typename FindOrAdd>
   bool PairEdges(FindOrAdd&& findOrAdd);
@@ -95,7 +95,6 @@ private:
 
   PointSource Points;
   std::vector<std::int32_t> Faces;
-  std::vector<IdList> Lists;         ///< of the points of every face, in the mesh
   std::vector<std::int32_t> Begins;  ///< first corner of every face, and the end
   std::vector<std::int32_t> Corners; ///< positions in Ids
   std::vector<std::int32_t> Ids;

@@ -45,7 +45,7 @@ Buffer<std::int32_t> ListFacesOfCells(const Buffer<std::int32_t>& sides, vtkIdTy
         }
       });
   };
-  // Per cell its number of faces, then the end of its list, finally the begin of its ids.
+  // Per cell its number of faces, then the begin of its ids, finally their end.
   std::vector<std::atomic<vtkIdType>> cursors(static_cast<std::size_t>(numberOfCells));
   forEachSide([&](std::int32_t cell, vtkIdType) { Add(cursors[cell], 1, isAlone); });
   const vtkIdType total = ParallelScan(
@@ -63,25 +63,23 @@ Buffer<std::int32_t> ListFacesOfCells(const Buffer<std::int32_t>& sides, vtkIdTy
     {
       for (vtkIdType cell = begin; cell < end; ++cell)
       {
-        before += cursors[cell] + 1;
-        cursors[cell] = before;
+        const vtkIdType size = cursors[cell];
+        cursors[cell] = ++before;
+        before += size;
       }
     });
   Buffer<std::int32_t> words(total);
   forEachSide([&](std::int32_t cell, vtkIdType face)
-    { words[Add(cursors[cell], -1, isAlone)] = static_cast<std::int32_t>(face); });
+    { words[Add(cursors[cell], 1, isAlone) - 1] = static_cast<std::int32_t>(face); });
   ParallelFor(numberOfCells, HeavyGrain,
     [&](vtkIdType firstCell, vtkIdType lastCell)
     {
       for (vtkIdType cell = firstCell; cell < lastCell; ++cell)
       {
-        std::int32_t* const begin = words.data() + cursors[cell];
-        std::int32_t* const end =
-          words.data() + (cell + 1 < numberOfCells ? cursors[cell + 1] - 1 : total);
+        std::int32_t* const begin = words.data() + (cell > 0 ? cursors[cell - 1] + 1 : 1);
+        std::int32_t* const end = words.data() + cursors[cell];
         begin[-1] = static_cast<std::int32_t>(end - begin);
-        // One thread finds them in ascending order and stores them from the end.
-        std::reverse(begin, end);
-        if (!std::is_sorted(begin, end))
+        if (!std::is_sorted(begin, end)) // as several threads may have stored them
         {
           std::sort(begin, end);
         }

@@ -301,12 +301,14 @@ unsigned char GridBuilder::Guess(
 void GridBuilder::FindDirections(
   vtkIdType item, const IdList& cell, std::vector<FaceDirection>& directions) const
 {
-  directions.clear();
+  directions.resize(static_cast<std::size_t>(cell.Size));
+  std::int32_t last = -1;
   for (std::int32_t f = 0; f < cell.Size; ++f)
   {
-    const bool isSecond = f > 0 && cell[f] == cell[f - 1];
-    const bool isInward = !isSecond && this->Mesh.Sides[2 * vtkIdType(cell[f])] == item;
-    directions.push_back(isInward ? FaceDirection::Inward : FaceDirection::Outward);
+    const std::int32_t face = cell[f];
+    const bool isInward = face != last && this->Mesh.Sides[2 * vtkIdType(face)] == item;
+    directions[f] = isInward ? FaceDirection::Inward : FaceDirection::Outward;
+    last = face;
   }
 }
 
