@@ -55,9 +55,10 @@ bool FluentCells::ReadElements(FluentFile& file, const FluentSection& section, R
   }
   else
   {
-    numbers.Read(numbers.All);
+    numbers.Read(numbers.All, true);
     size = numbers.GetCount();
-    values = numbers.Take();
+    values = Buffer<std::int32_t>(size);
+    std::copy_n(numbers.GetData(), size, values.data());
   }
   run.Elements.resize(static_cast<std::size_t>(count));
   for (std::int64_t i = 0; i < count; ++i)

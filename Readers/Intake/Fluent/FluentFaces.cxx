@@ -147,7 +147,7 @@ void FluentFaces::LeaveOutInterfaces()
 //------------------------------------------------------------------------------
 // Makes the faces of a batch accessible with which words in the form of a binary file begin, and
 // ends it behind the last complete one. Returns the number of their words.
-std::int64_t FluentFaces::SetWords(const std::int32_t* words, std::int64_t size, Run& batch)
+std::int64_t FluentFaces::SetWords(const Word* words, std::int64_t size, Run& batch)
 {
   const vtkIdType most = batch.End - batch.Begin;
   std::int64_t used = 0;
@@ -176,7 +176,10 @@ bool FluentFaces::ForBatchesInFile(const Run& run, FunctionRef<bool(const Run&)>
 {
   FluentNumbers<std::int32_t> numbers(*this->File, *run.Section);
   const std::ptrdiff_t most = numbers.GetBatch();
+  std::atomic<bool> hasBadIds{ false };
   Run batch = run;
+  batch.Of = this;
+  batch.HasBadIds = &hasBadIds;
   for (batch.End = run.Begin; batch.End < run.End;)
   {
     batch.Begin = batch.End;
@@ -184,7 +187,7 @@ bool FluentFaces::ForBatchesInFile(const Run& run, FunctionRef<bool(const Run&)>
     std::int64_t used = 0;
     for (std::ptrdiff_t bytes = most;; bytes *= 2) // until there is a complete face
     {
-      numbers.Read(bytes);
+      numbers.Read(bytes, run.Size > 0); // sizes must not change
       batch.End = run.End;
       used = SetWords(numbers.GetData(), numbers.GetCount(), batch);
       if (used > 0 || !numbers.HasMore())
@@ -192,20 +195,21 @@ bool FluentFaces::ForBatchesInFile(const Run& run, FunctionRef<bool(const Run&)>
         break;
       }
     }
-    if (!this->CheckIds(batch, numbers))
-    {
-      return false;
-    }
     if (used == 0)
     {
       this->FailInFace(numbers, batch);
       return false;
     }
-    numbers.Skip(used);
-    if (!visit(batch))
+    const bool good = visit(batch);
+    if (hasBadIds)
+    {
+      this->FailAtBadId(batch, numbers);
+    }
+    if (hasBadIds || !good)
     {
       return false;
     }
+    numbers.Skip(used);
   }
   const char* const place = numbers.Find(0);
   if (place != numbers.GetEnd())
@@ -270,13 +274,23 @@ bool FluentFaces::ForBatchesOf(
              batch.Begin = run.Begin + begin;
              batch.End = run.Begin + end;
              batch.FirstId = run.FirstId + begin;
-             if (SetWords(words, size, batch) != size || batch.End != run.Begin + end)
+             std::atomic<bool> hasBadIds{ false };
+             batch.Of = this;
+             batch.HasBadIds = &hasBadIds;
+             const auto* const all = reinterpret_cast<const Word*>(words);
+             if (SetWords(all, size, batch) != size || batch.End != run.Begin + end)
              {
                this->File->Fail(
                  ErrorKind::Changed, "the same file in all processes", "other faces in some");
                return false;
              }
-             return visitPart(batch);
+             const bool good = visitPart(batch);
+             if (hasBadIds)
+             {
+               this->File->Fail(
+                 ErrorKind::Changed, "the same faces in all passes", "different ones");
+             }
+             return good && !hasBadIds;
            }) &&
     !progress.IsStopped();
 }
@@ -289,47 +303,27 @@ bool FluentFaces::ForEachBatch(const Progress& progress, bool inOrder, VisitBatc
 }
 
 //------------------------------------------------------------------------------
-// Checks the ids of nodes and cells in a batch, which are the next ones of the numbers.
-bool FluentFaces::CheckIds(const Run& batch, const FluentNumbers<std::int32_t>& numbers) const
+// The error of the first id out of range in a batch, which has the first of the numbers.
+void FluentFaces::FailAtBadId(const Run& batch, const FluentNumbers<std::int32_t>& numbers) const
 {
-  std::atomic<vtkIdType> bad{ batch.End };
-  Progress().ForBlocks(batch.End - batch.Begin, BlockSize,
-    [&](vtkIdType first, vtkIdType last)
-    {
-      ForEachOf(batch, batch.Begin + first, batch.Begin + last,
-        [&](vtkIdType position, const FluentFace& face)
-        {
-          bool good = this->IsId(face.GetCell(0), false) && this->IsId(face.GetCell(1), false);
-          for (std::int32_t i = 0; i < face.Size; ++i)
-          {
-            good &= this->IsId(face.Nodes[i], true);
-          }
-          if (!good)
-          {
-            LowerTo(bad, position);
-          }
-        });
-    });
-  if (bad == batch.End)
+  const Word* word = batch.Words;
+  for (vtkIdType face = 0; face < batch.End - batch.Begin; ++face)
   {
-    return true;
-  }
-  ForEachOf(batch, bad - (bad - batch.Begin) % BlockSize, bad + 1,
-    [&](vtkIdType position, const FluentFace& face)
+    const std::int32_t size = batch.Size > 0 ? batch.Size : std::int32_t(*word++);
+    for (std::int32_t i = 0; i < size + 2; ++i, ++word)
     {
-      for (std::int32_t i = 0; position == bad && i < face.Size + 2; ++i)
+      const bool isNode = i < size;
+      if (!this->IsId(*word, isNode))
       {
-        const bool isNode = i < face.Size;
-        if (!this->IsId(face.Nodes[i], isNode))
-        {
-          this->File->FailAt(numbers.Find(face.Nodes + i - batch.Words), ErrorKind::Index,
-            std::string(isNode ? "a node" : "a cell") + " of face " +
-              std::to_string(batch.FirstId + position - batch.Begin) + " from " +
-              (isNode ? "1 to " : "0 to ") + std::to_string(isNode ? this->Nodes : this->Cells),
-            std::to_string(face.Nodes[i]));
-        }
+        this->File->FailAt(numbers.Find(word - batch.Words), ErrorKind::Index,
+          std::string(isNode ? "a node" : "a cell") + " of face " +
+            std::to_string(batch.FirstId + face) + " from " + (isNode ? "1 to " : "0 to ") +
+            std::to_string(isNode ? this->Nodes : this->Cells),
+          std::to_string(*word));
+        return;
       }
-    });
-  return false;
+    }
+  }
+  this->File->Fail(ErrorKind::Changed, "the same faces in all passes", "different ones");
 }
 }

@@ -16,6 +16,7 @@
 #include "Intake/Fluent/FluentNumbers.h"
 
 #include <algorithm> // for shares
+#include <atomic>    // for errors
 #include <string>    // for names of types
 #include <vector>    // for runs
 
@@ -24,8 +25,8 @@ namespace camaron
 /// A face in memory. Nodes and cells are ids of the file: from 1, with 0 for no cell.
 struct FluentFace
 {
-  const std::int32_t* Nodes; ///< and the cells behind them
-  std::int32_t Size;         ///< number of nodes
+  const Unaligned<std::int32_t>* Nodes; ///< and the cells behind them
+  std::int32_t Size;                    ///< number of nodes
   std::int32_t GetCell(int side) const { return this->Nodes[std::ptrdiff_t(this->Size) + side]; }
 };
 
@@ -46,6 +47,8 @@ std::string GetFluentZoneType(int boundaryType);
 class FluentFaces
 {
 public:
+  using Word = Unaligned<std::int32_t>;
+
   /// The faces of one zone, or of one section of it, or a batch of these.
   struct Run
   {
@@ -56,8 +59,14 @@ public:
     std::int32_t Size = 0; ///< number of nodes of every face, 0 if each states its own
     bool Bounds = true;    ///< whether the faces bound cells of the mesh
     const FluentSection* Section = nullptr;
-    const std::int32_t* Words = nullptr;     ///< of a batch, as in a binary file
-    std::vector<const std::int32_t*> Blocks; ///< begins of every 1024th face, if sizes differ
+    ///@{
+    /// Of a batch: the words as in a binary file, begins of every 1024th face if sizes differ, and
+    /// whether some id is out of range.
+    const Word* Words = nullptr;
+    std::vector<const Word*> Blocks;
+    const FluentFaces* Of = nullptr;
+    std::atomic<bool>* HasBadIds = nullptr;
+    ///@}
 
     bool IsOfBoundary() const
     {
@@ -88,8 +97,8 @@ public:
 
   ///@{
   /**
-   * Calls visit(batch, progress) for consecutive faces of one run, whose ids are in range, until it
-   * returns false. False if it did, with the error in the file, or if aborted.
+   * Calls visit(batch, progress) for consecutive faces of one run, until it returns false. False if
+   * it did, with the error in the file, or if aborted.
    * @param inOrder whether the order matters; otherwise processes share the work of loading
    */
   using VisitBatch = FunctionRef<bool(const Run& batch, const Progress& progress)>;
@@ -113,19 +122,30 @@ public:
           });
       });
   }
-  /// Calls visit(position, face) for faces of a run from @a begin on, which must begin a block.
+  /// Calls visit(position, face) for faces of a batch from @a begin on, which must begin a block.
+  /// Faces with ids out of range are left out; then loading fails after the batch.
   template <typename Visit>
   static void ForEachOf(const Run& run, vtkIdType begin, vtkIdType end, Visit&& visit)
   {
-    const std::int32_t* word = run.Size > 0
+    const Word* word = run.Size > 0
       ? run.Words + (begin - run.Begin) * (run.Size + 2)
       : run.Blocks[static_cast<std::size_t>((begin - run.Begin) / BlockSize)];
     const auto forEach = [&](auto common) // a size that the compiler knows is faster
     {
       for (vtkIdType face = begin; face < end; ++face)
       {
-        const std::int32_t size = common > 0 ? common : run.Size > 0 ? run.Size : *word++;
-        visit(face, FluentFace{ word, size });
+        const std::int32_t size = common > 0 ? common
+          : run.Size > 0                     ? run.Size
+                                             : std::int32_t(*word++);
+        const FluentFace record{ word, size };
+        if (run.Of->HasGoodIds(record))
+        {
+          visit(face, record);
+        }
+        else
+        {
+          run.HasBadIds->store(true, std::memory_order_relaxed);
+        }
         word += std::ptrdiff_t(size) + 2;
       }
     };
@@ -148,10 +168,19 @@ private:
     const auto id = static_cast<std::uint32_t>(value);
     return isNode ? id - 1 < this->Nodes : id <= this->Cells;
   }
-  bool CheckIds(const Run& batch, const FluentNumbers<std::int32_t>& numbers) const;
+  bool HasGoodIds(const FluentFace& face) const
+  {
+    bool good = this->IsId(face.GetCell(0), false) && this->IsId(face.GetCell(1), false);
+    for (std::int32_t i = 0; i < face.Size; ++i)
+    {
+      good &= this->IsId(face.Nodes[i], true);
+    }
+    return good;
+  }
+  void FailAtBadId(const Run& batch, const FluentNumbers<std::int32_t>& numbers) const;
   bool ForBatchesInFile(const Run& run, FunctionRef<bool(const Run&)> visit) const;
   void FailInFace(const FluentNumbers<std::int32_t>& numbers, const Run& batch) const;
-  static std::int64_t SetWords(const std::int32_t* words, std::int64_t size, Run& batch);
+  static std::int64_t SetWords(const Word* words, std::int64_t size, Run& batch);
 
   FluentFile* File = nullptr;
   std::uint32_t Nodes = 0, Cells = 0; ///< greatest ids

@@ -31,7 +31,7 @@ bool VisitSection(
   const std::int64_t count = section.GetCount();
   const int dimension = GetDimension(file, section);
   std::int64_t done = 0;
-  const auto pass = [&](std::int64_t first, std::int64_t rows, const double* values)
+  const auto pass = [&](std::int64_t first, std::int64_t rows, const auto* values)
   {
     ParallelForEach(rows, MediumGrain,
       [&](vtkIdType row)
@@ -67,7 +67,7 @@ bool VisitSection(
   };
   while (done < count)
   {
-    numbers.Read(batch);
+    numbers.Read(batch, true);
     const std::int64_t rows = std::min(count - done, numbers.GetCount() / dimension);
     if (rows == 0)
     {

@@ -4,7 +4,6 @@
 
 #include "Base/Parallel.h"
 #include "Base/Progress.h"
-#include "Intake/Rows/Bytes.h"
 #include "Intake/Rows/TextLines.h"
 
 #include <algorithm>
@@ -50,7 +49,7 @@ vtkIdType FluentNumbers<Number>::CountWords(vtkIdType first, vtkIdType last) con
 
 //------------------------------------------------------------------------------
 template <typename Number>
-void FluentNumbers<Number>::Read(std::ptrdiff_t bytes)
+void FluentNumbers<Number>::Read(std::ptrdiff_t bytes, bool inPlace)
 {
   if (this->Bytes == 0)
   {
@@ -59,24 +58,39 @@ void FluentNumbers<Number>::Read(std::ptrdiff_t bytes)
   }
   this->Count = this->Words = std::min(bytes, this->End - this->Begin) / this->Bytes;
   this->Last = this->Begin + this->Count * this->Bytes;
-  this->Numbers =
-    this->Numbers.size() < this->Count ? Buffer<Number>(this->Count) : std::move(this->Numbers);
+  const bool isSame = !this->Swap && this->Bytes == sizeof(Number);
+  if (isSame && inPlace)
+  {
+    this->Data = reinterpret_cast<const Unaligned<Number>*>(this->Begin);
+    return;
+  }
+  this->MakeRoom();
   ParallelFor(this->Count, LightGrain,
-    [this](vtkIdType begin, vtkIdType end)
+    [this, isSame](vtkIdType begin, vtkIdType end)
     {
-      const bool isConverted = this->Swap || this->Bytes != sizeof(Number);
       const char* place = this->Begin + begin * this->Bytes;
-      if (!isConverted)
+      if (isSame)
       {
         std::memcpy(&this->Numbers[begin], place, (end - begin) * sizeof(Number));
       }
-      for (vtkIdType i = begin; i < end && isConverted; ++i, place += this->Bytes)
+      for (vtkIdType i = begin; i < end && !isSame; ++i, place += this->Bytes)
       {
         this->Numbers[i] = this->Bytes == sizeof(Number)
           ? Load<Number>(place, this->Swap)
           : static_cast<Number>(Load<float>(place, this->Swap));
       }
     });
+}
+
+//------------------------------------------------------------------------------
+template <typename Number>
+void FluentNumbers<Number>::MakeRoom()
+{
+  if (this->Numbers.size() < this->Words)
+  {
+    this->Numbers = Buffer<Number>(this->Words);
+  }
+  this->Data = reinterpret_cast<const Unaligned<Number>*>(this->Numbers.data());
 }
 
 //------------------------------------------------------------------------------
@@ -100,8 +114,7 @@ void FluentNumbers<Number>::ReadText(std::ptrdiff_t bytes)
     });
   std::partial_sum(places.begin(), places.end(), places.begin());
   this->Words = places.back();
-  this->Numbers =
-    this->Numbers.size() < this->Words ? Buffer<Number>(this->Words) : std::move(this->Numbers);
+  this->MakeRoom();
   std::atomic<vtkIdType> bad{ this->Words };
   Progress().For(chunks,
     [&](vtkIdType first, vtkIdType last)

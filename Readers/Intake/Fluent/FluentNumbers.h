@@ -10,6 +10,7 @@
 
 #include "Base/Buffer.h"
 #include "Intake/Fluent/FluentFile.h"
+#include "Intake/Rows/Bytes.h"
 
 #include <algorithm>   // for sizes of batches
 #include <cstddef>     // for sizes of texts
@@ -36,15 +37,18 @@ public:
   /// Bytes to read at once: enough for many threads, but only a small part of all.
   std::ptrdiff_t GetBatch() const
   {
-    constexpr std::ptrdiff_t Part = 32, Least = 1 << 16, Most = 1 << 21;
+    constexpr std::ptrdiff_t Part = 32, Least = 1 << 16, Most = 1 << 23;
     return std::max(Least, std::min(Most, (this->End - this->Begin) / Part));
   }
-  /// Reads the numbers in the next bytes, which replace those before.
-  void Read(std::ptrdiff_t bytes);
+  /**
+   * Reads the numbers in the next bytes, which replace those before.
+   * @param inPlace whether they may stay in the file, if it has them as in memory; another program
+   * may change it
+   */
+  void Read(std::ptrdiff_t bytes, bool inPlace);
   /// The numbers up to the first word that is none.
-  const Number* GetData() const { return this->Numbers.data(); }
+  const Unaligned<Number>* GetData() const { return this->Data; }
   std::int64_t GetCount() const { return this->Count; }
-  Buffer<Number> Take() { return std::move(this->Numbers); }
   /// Whether more bytes have more numbers.
   bool HasMore() const { return this->Last < this->End && this->Count == this->Words; }
 
@@ -58,11 +62,13 @@ public:
 private:
   vtkIdType CountWords(vtkIdType first, vtkIdType last) const;
   void ReadText(std::ptrdiff_t bytes);
+  void MakeRoom();
 
   const char *Begin, *Last, *End;
   int Bytes; ///< of a number; 0 in text
   bool Swap;
-  Buffer<Number> Numbers;
+  Buffer<Number> Numbers; ///< unless they stay in the file
+  const Unaligned<Number>* Data = nullptr;
   std::int64_t Count = 0, Words = 0;
 };
 }

@@ -31,7 +31,7 @@ bool ReadTree(FluentMesh& mesh)
   for (const FluentSection& section : file.FaceTrees)
   {
     FluentNumbers<std::int32_t> numbers(file, section);
-    numbers.Read(numbers.All);
+    numbers.Read(numbers.All, true);
     std::int64_t next = 0;
     const auto read = [&](const char* what)
     {
@@ -41,7 +41,7 @@ bool ReadTree(FluentMesh& mesh)
           numbers.Find(next), ErrorKind::Syntax, std::string(what) + ", a hexadecimal number");
         return std::int32_t(0);
       }
-      return numbers.GetData()[next++];
+      return std::int32_t(numbers.GetData()[next++]);
     };
     for (std::int64_t id = section.Header[0]; id <= section.Header[1]; ++id)
     {

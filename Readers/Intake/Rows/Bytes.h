@@ -116,6 +116,14 @@ inline void Store(char* bytes, Value value, bool swap)
   std::memcpy(bytes, &word, sizeof(Value));
 }
 
+/// A value at any address, in the byte order of the machine.
+template <typename Value>
+struct Unaligned
+{
+  char Bytes[sizeof(Value)];
+  operator Value() const { return Load<Value>(this->Bytes, false); }
+};
+
 /// Appends the bytes of a value.
 template <typename Value>
 inline void AppendBytes(std::string& bytes, Value value, bool swap)
