@@ -6,7 +6,7 @@
 #include "Base/Progress.h"
 #include "Base/Vector.h"
 #include "Mesh/CellFacets.h"
-#include "Mesh/CellTopology.h"
+#include "Mesh/RecentTopologies.h"
 
 #include <algorithm>
 #include <mutex>
@@ -33,41 +33,47 @@ public:
   /// Loads a polyhedron; false if it is not closed.
   bool Load(vtkIdType cell)
   {
+    std::vector<int>&offsets = this->Topologies.FaceOffsets, &numbers = this->Topologies.FacePoints;
     this->Points.clear();
-    this->Ends.clear();
+    offsets.assign(1, 0);
     this->Facets.ForEach(cell,
       [&](const vtkIdType* points, vtkIdType size, vtkIdType)
       {
         this->Points.insert(this->Points.end(), points, points + size);
-        this->Ends.push_back(static_cast<int>(this->Points.size()));
+        offsets.push_back(static_cast<int>(this->Points.size()));
       });
-    this->Local.resize(this->Points.size());
-    this->Topology.Clear();
-    this->Topology.NumberOfPoints = this->Numbers.Number(
-      static_cast<int>(this->Points.size()),
-      [&](int i) { return this->Points[static_cast<std::size_t>(i)]; }, this->Local.data());
-    int begin = 0;
-    for (const int end : this->Ends)
+    if (RecentTopologies::Recent* const recent = this->Topologies.Recognize(this->Points.data()))
     {
-      this->Topology.AddFace(this->Local.data() + begin, end - begin);
-      begin = end;
+      this->Topology = &recent->Topology;
+      this->Firsts = recent->PointCorners.data();
     }
-    this->Topology.Finish();
-    return this->Topology.IsManifold && this->Topology.GetNumberOfFaces() >= LeastFaces;
+    else
+    {
+      const auto size = static_cast<int>(this->Points.size());
+      numbers.resize(this->Points.size());
+      const int count = this->Numbers.Number(
+        size, [&](int i) { return this->Points[static_cast<std::size_t>(i)]; }, numbers.data());
+      const bool edgesCanWait = true; // most cells are closed
+      bool wasRepeated = false;
+      this->Topology = &this->Topologies.Find(count, edgesCanWait, wasRepeated);
+      this->Topology->CheckClosed();
+      this->Firsts = this->Numbers.GetFirsts();
+    }
+    return this->Topology->IsManifold && this->Topology->GetNumberOfFaces() >= LeastFaces;
   }
-  bool IsConsistent() const { return this->Topology.IsClosed; }
+  bool IsConsistent() const { return this->Topology->IsClosed; }
 
   /// Orients the faces consistently and outward; calls visit(face) for those that are reversed.
   template <typename Visit>
   void Orient(Visit&& visit)
   {
-    this->Topology.MakeConsistent();
+    this->Topology->MakeConsistent();
     const bool isInward = this->GetVolume() < 0;
-    for (int face = 0; face < this->Topology.GetNumberOfFaces(); ++face)
+    for (int face = 0; face < this->Topology->GetNumberOfFaces(); ++face)
     {
-      if (this->Topology.IsReversed(face) != isInward)
+      if (this->Topology->IsReversed(face) != isInward)
       {
-        visit(static_cast<Index>(this->Topology.FaceNumbers[static_cast<std::size_t>(face)]));
+        visit(static_cast<Index>(this->Topology->FaceNumbers[static_cast<std::size_t>(face)]));
       }
     }
   }
@@ -75,10 +81,7 @@ public:
 private:
   Vector GetPoint(int local) const
   {
-    double x[3];
-    const int first = this->Numbers.GetFirsts()[local];
-    this->Mesh.GetPoint(this->Points[static_cast<std::size_t>(first)], x);
-    return { x[0], x[1], x[2] };
+    return this->Mesh.GetPoint(this->Points[static_cast<std::size_t>(this->Firsts[local])]);
   }
 
   /// Six times the volume inside the faces as they are now.
@@ -86,11 +89,11 @@ private:
   {
     const Vector apex = this->GetPoint(0);
     double volume = 0;
-    for (int face = 0; face < this->Topology.GetNumberOfFaces(); ++face)
+    for (int face = 0; face < this->Topology->GetNumberOfFaces(); ++face)
     {
-      const int* const points = this->Topology.GetFace(face);
+      const int* const points = this->Topology->GetFace(face);
       const Vector first = this->GetPoint(points[0]) - apex;
-      for (int i = 1; i + 1 < this->Topology.GetFaceSize(face); ++i)
+      for (int i = 1; i + 1 < this->Topology->GetFaceSize(face); ++i)
       {
         volume +=
           Dot(first, Cross(this->GetPoint(points[i]) - apex, this->GetPoint(points[i + 1]) - apex));
@@ -101,10 +104,11 @@ private:
 
   const MeshView& Mesh;
   CellFacets Facets;
-  CellTopology Topology;
+  RecentTopologies Topologies;
   LocalNumbers Numbers;
-  std::vector<vtkIdType> Points;
-  std::vector<int> Ends, Local;
+  std::vector<vtkIdType> Points; // of all faces
+  CellTopology* Topology = nullptr;
+  const int* Firsts = nullptr; // positions in Points
 };
 }
 
@@ -163,11 +167,10 @@ FaceOrientation::FaceOrientation(const MeshTopology& topology)
 bool FaceOrientation::IsReversed(Index face, vtkIdType cell) const
 {
   const bool isFirst = this->Faces.GetCells(face).First == cell;
-  bool isReversed = false;
-  for (const CellFacet use : this->Faces.GetCellFacets(cell))
-  {
-    isReversed = isReversed || (!isFirst && use.Facet() == face && use.IsReversed());
-  }
+  const FacetTable::Range uses = this->Faces.GetCellFacets(cell);
+  const bool isReversed = !isFirst &&
+    std::any_of(uses.begin(), uses.end(),
+      [face](CellFacet use) { return use.Facet() == face && use.IsReversed(); });
   const auto& flags = isFirst ? this->ReversedInFirst : this->ReversedInSecond;
   return isReversed != (!flags.empty() && flags[static_cast<std::size_t>(face)]);
 }

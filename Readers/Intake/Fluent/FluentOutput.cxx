@@ -209,9 +209,23 @@ bool FluentOutput::IsFarSide(const Face& face) const
 }
 
 //------------------------------------------------------------------------------
+// Points of a facet, as its first cell traverses it.
+void FluentOutput::GetPoints(Index facet, std::vector<vtkIdType>& points) const
+{
+  if (this->Dimension == 3)
+  {
+    this->Topology.GetFacePoints(facet, points);
+    return;
+  }
+  const IndexRange ring = this->Mesh.GetCellPoints(this->Facets.GetCells(facet).First);
+  const vtkIdType local = this->Facets.GetOwnerLocalFacet(facet);
+  points = { ring[local], ring[local + 1 < ring.Size ? local + 1 : 0] };
+}
+
+//------------------------------------------------------------------------------
 void FluentOutput::GetRing(Index facet, std::vector<vtkIdType>& points) const
 {
-  this->Topology.GetFacePoints(facet, points);
+  this->GetPoints(facet, points);
   if (this->Orientation->IsReversed(facet, this->Facets.GetCells(facet).First))
   {
     std::reverse(points.begin(), points.end());
@@ -236,9 +250,7 @@ void FluentOutput::GetNodes(const Face& face, std::vector<vtkIdType>& nodes) con
     }
     return;
   }
-  const IndexRange points = this->Mesh.GetCellPoints(this->Facets.GetCells(face.Facet).First);
-  const vtkIdType local = this->Facets.GetOwnerLocalFacet(face.Facet);
-  nodes = { points[local], points[local + 1 < points.Size ? local + 1 : 0] };
+  this->GetPoints(face.Facet, nodes);
   if (this->IsFarSide(face))
   {
     std::swap(nodes[0], nodes[1]);
@@ -260,7 +272,8 @@ bool FluentOutput::FindFaces(Warnings& warnings, std::string& reason, const Prog
         const FacetTable::CellPair cells = this->Facets.GetCells(facet);
         Face face{ facet, { this->GetFileCell(cells.First), this->GetFileCell(cells.Second) }, 0,
           0 };
-        this->GetNodes(face, nodes);
+        this->GetPoints(facet, nodes);
+        DropRepeated(nodes);
         face.Size = static_cast<std::int32_t>(nodes.size());
         face.Least = static_cast<std::int32_t>(
           nodes.empty() ? 0 : *std::min_element(nodes.begin(), nodes.end()));

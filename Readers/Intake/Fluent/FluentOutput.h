@@ -125,6 +125,7 @@ private:
       : this->FileCells.Contains(cell) ? static_cast<Index>(this->FileCells.GetNumber(cell))
                                        : -1;
   }
+  void GetPoints(Index facet, std::vector<vtkIdType>& points) const;
   int CountCorners(vtkIdType meshCell) const;
   bool IsFarSide(const Face& face) const;
   void ReadZones();
