@@ -10,8 +10,11 @@
 #include "Base/Progress.h"
 #include "Intake/Write/OutputFile.h"
 
+#include "vtkSMPTools.h" // for the number of threads
+
 #include <algorithm> // for std::min
 #include <string>    // for bytes
+#include <vector>    // for the chunks of all threads
 
 namespace camaron
 {
@@ -23,11 +26,13 @@ namespace camaron
 template <typename File, typename Format>
 bool WriteChunks(File& file, vtkIdType numberOfChunks, const Progress& progress, Format&& format)
 {
-  constexpr vtkIdType Batch = 64; // chunks in memory; enough for many threads
-  std::vector<std::string> bytes(static_cast<std::size_t>(std::min(Batch, numberOfChunks)));
-  for (vtkIdType first = 0; first < numberOfChunks; first += Batch)
+  // Chunks in memory: threads seldom wait, and few threads keep them in the processor's cache.
+  constexpr vtkIdType PerThread = 4, Most = 64;
+  const vtkIdType batch = std::min(Most, PerThread * vtkSMPTools::GetEstimatedNumberOfThreads());
+  std::vector<std::string> bytes(static_cast<std::size_t>(std::min(batch, numberOfChunks)));
+  for (vtkIdType first = 0; first < numberOfChunks; first += batch)
   {
-    const vtkIdType count = std::min(Batch, numberOfChunks - first);
+    const vtkIdType count = std::min(batch, numberOfChunks - first);
     Progress().For(count,
       [&](vtkIdType begin, vtkIdType end)
       {
