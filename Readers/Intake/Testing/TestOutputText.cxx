@@ -109,6 +109,9 @@ TEST(Text, AlignsAndWritesHexadecimal)
   AppendHex(text, 0);
   AppendHex(text, 0xe84);
   EXPECT_EQ(text, "       42 -71234560e84");
+  text.clear();
+  AppendAligned(text, std::numeric_limits<std::int64_t>::min(), 32);
+  EXPECT_EQ(text, "            -9223372036854775808");
   const double x[] = { 1, -0.5, 1e-7 };
   text.clear();
   RealFormat::Shortest().AppendRow(text, x, 3);

@@ -9,7 +9,8 @@
 
 #include "Base/Number.h"
 
-#include <cstddef> // for std::size_t
+#include <algorithm> // for std::min
+#include <cstring>   // for std::memset
 
 namespace camaron
 {
@@ -107,15 +108,16 @@ private:
   bool Plus = false;
 };
 
-/// Like printf's %<width>d: right-aligned, longer if necessary.
+/// Like printf's %<width>d for a width of at most 32: right-aligned, longer if necessary.
 template <typename Integer>
 inline void AppendAligned(std::string& text, Integer value, int width)
 {
-  char digits[32]; // enough for any 64-bit integer
-  const char* end = std::to_chars(digits, digits + sizeof(digits), value).ptr;
-  const int size = static_cast<int>(end - digits);
-  text.append(static_cast<std::size_t>(size < width ? width - size : 0), ' ');
-  text.append(digits, static_cast<std::size_t>(size));
+  constexpr int MaxWidth = 32;
+  char field[2 * MaxWidth]; // blanks, then the number, which ends the field
+  char* const number = field + MaxWidth;
+  std::memset(field, ' ', MaxWidth);
+  char* const end = std::to_chars(number, field + sizeof(field), value).ptr;
+  text.append(std::min(number, end - width), end);
 }
 
 /// Hexadecimal, lower case, without a prefix.
