@@ -10,6 +10,8 @@
 
 #include "vtkObjectFactory.h"
 
+#include <algorithm>
+
 namespace camaron
 {
 namespace
@@ -91,16 +93,19 @@ private:
       text + (this->IsText() ? ")\n" : "\nEnd of Binary Section   " + index + ")\n"));
     return good;
   }
-  void AppendInteger(std::string& bytes, vtkIdType value, char end) const
+  /// Appends get(0) to get(count - 1), in text as a line.
+  template <typename Get>
+  void AppendIntegers(std::string& bytes, vtkIdType count, Get&& get) const
   {
-    if (this->IsText())
+    if (!this->IsText())
     {
-      AppendHex(bytes, static_cast<std::uint64_t>(value));
-      bytes += end;
+      AppendBytes<std::int32_t>(bytes, count, get, this->Swap);
+      return;
     }
-    else
+    for (vtkIdType i = 0; i < count; ++i)
     {
-      AppendBytes(bytes, static_cast<std::int32_t>(value), this->Swap);
+      AppendHex(bytes, static_cast<std::uint64_t>(get(i)));
+      bytes += i + 1 < count ? ' ' : '\n';
     }
   }
 
@@ -119,12 +124,10 @@ private:
           this->Real.AppendRow(bytes, x, dimension);
           return;
         }
-        for (int c = 0; c < dimension; ++c)
-        {
-          this->Encoding == vtkFluentMeshWriter::BINARY_SINGLE
-            ? AppendBytes(bytes, static_cast<float>(x[c]), this->Swap)
-            : AppendBytes(bytes, x[c], this->Swap);
-        }
+        const auto get = [&x](std::ptrdiff_t c) { return x[c]; };
+        this->Encoding == vtkFluentMeshWriter::BINARY_SINGLE
+          ? AppendBytes<float>(bytes, dimension, get, this->Swap)
+          : AppendBytes<double>(bytes, dimension, get, this->Swap);
       });
   }
 
@@ -137,12 +140,13 @@ private:
       const vtkIdType count = section.Element == 0 ? section.End - section.Begin : 0;
       good = good &&
         this->WriteSection(FluentSection::CellsIndex,
-          { section.Zone, section.Begin + 1, section.End, 1, section.Element }, count, progress,
+          { section.Zone, section.Begin + 1, section.End, 1, section.Element },
+          (count + PerLine - 1) / PerLine, progress,
           [&](vtkIdType row, std::string& bytes)
           {
-            const bool endsLine = row % PerLine == PerLine - 1 || row + 1 == count;
-            this->AppendInteger(
-              bytes, this->Mesh.GetElement(section.Begin + row), endsLine ? '\n' : ' ');
+            const vtkIdType first = section.Begin + row * PerLine;
+            this->AppendIntegers(bytes, std::min(PerLine, section.End - first),
+              [&](vtkIdType i) { return this->Mesh.GetElement(first + i); });
           });
     }
     return good;
@@ -166,16 +170,18 @@ private:
             const FluentOutput::Face& face =
               this->Mesh.GetFaces()[static_cast<std::size_t>(section.Begin + row)];
             this->Mesh.GetNodes(face, nodes);
+            for (vtkIdType& node : nodes)
+            {
+              node = this->Mesh.GetFilePoint(node) + 1;
+            }
+            nodes.insert(
+              nodes.end(), { face.Cells[0] + vtkIdType(1), face.Cells[1] + vtkIdType(1) });
             if (!isSized)
             {
-              this->AppendInteger(bytes, face.Size, ' ');
+              nodes.insert(nodes.begin(), face.Size);
             }
-            for (const vtkIdType node : nodes)
-            {
-              this->AppendInteger(bytes, this->Mesh.GetFilePoint(node) + 1, ' ');
-            }
-            this->AppendInteger(bytes, vtkIdType(face.Cells[0]) + 1, ' ');
-            this->AppendInteger(bytes, vtkIdType(face.Cells[1]) + 1, '\n');
+            this->AppendIntegers(bytes, static_cast<vtkIdType>(nodes.size()),
+              [](vtkIdType i) { return nodes[static_cast<std::size_t>(i)]; });
           });
     }
     return good;

@@ -197,10 +197,7 @@ struct Writing
           real.AppendRow(bytes, x, 3, ')');
           return;
         }
-        for (const double coordinate : x)
-        {
-          AppendBytes(bytes, coordinate, false);
-        }
+        AppendBytes<double>(bytes, 3, [&x](std::ptrdiff_t c) { return x[c]; }, false);
       });
     return file.Finish(good, this->Error);
   }

@@ -226,16 +226,22 @@ public:
   }
 
 private:
-  void AddReal(std::string& bytes, double value, bool isFloat) const
+  /// Adds get(0) to get(count - 1).
+  template <typename Get>
+  void AddReals(std::string& bytes, int count, bool isFloat, Get&& get) const
   {
     if (!this->Encoder.IsText())
     {
-      this->Encoder.Append(bytes, static_cast<float>(value));
+      this->Encoder.Append<float>(bytes, count, get);
       return;
     }
-    (this->Digits > 0 ? RealFormat::Significant(this->Digits) : RealFormat::Shortest(isFloat))
-      .Append(bytes, value);
-    bytes += ' ';
+    const RealFormat format =
+      this->Digits > 0 ? RealFormat::Significant(this->Digits) : RealFormat::Shortest(isFloat);
+    for (int i = 0; i < count; ++i)
+    {
+      format.Append(bytes, get(i));
+      bytes += ' ';
+    }
   }
   void AddInteger(std::string& bytes, vtkIdType value) const
   {
@@ -246,46 +252,42 @@ private:
   {
     double x[3];
     this->Mesh.GetPoint(point, x);
-    for (const double coordinate : x)
-    {
-      this->AddReal(bytes, coordinate, this->Mesh.HasFloatPoints());
-    }
+    this->AddReals(bytes, 3, this->Mesh.HasFloatPoints(), [&x](std::ptrdiff_t c) { return x[c]; });
     const vtkIdType tuple = this->Mesh.GetInputPoint(point);
-    this->AddReals(bytes, this->Columns.Normals, tuple, 3);
+    this->AddTuple(bytes, this->Columns.Normals, tuple, 3);
     if (this->Columns.VertexColors)
     {
       this->AddColor(bytes, this->Columns.VertexColors, tuple);
     }
-    this->AddReals(bytes, this->Columns.Texture, tuple, 2);
+    this->AddTuple(bytes, this->Columns.Texture, tuple, 2);
     this->Encoder.EndRow(bytes);
   }
 
   /// Nothing without an array.
-  void AddReals(std::string& bytes, vtkDataArray* array, vtkIdType tuple, int count) const
+  void AddTuple(std::string& bytes, vtkDataArray* array, vtkIdType tuple, int count) const
   {
-    for (int c = 0; array && c < count; ++c)
+    if (array)
     {
-      this->AddReal(bytes, c < array->GetNumberOfComponents() ? array->GetComponent(tuple, c) : 0,
-        array->GetDataType() == VTK_FLOAT);
+      const int components = array->GetNumberOfComponents();
+      this->AddReals(bytes, count, array->GetDataType() == VTK_FLOAT,
+        [=](int c) { return c < components ? array->GetComponent(tuple, c) : 0; });
     }
   }
 
   void AddFace(std::string& bytes, vtkIdType cell) const
   {
     const IndexRange points = this->Mesh.GetCellPoints(cell);
-    this->AddInteger(bytes, points.Size);
-    for (vtkIdType i = 0; i < points.Size; ++i)
-    {
-      this->AddInteger(bytes, points[i]);
-    }
     const vtkIdType tuple = this->Mesh.GetInputCell(cell);
     const double index =
       this->Columns.FaceIndices ? this->Columns.FaceIndices->GetComponent(tuple, 0) : -1;
     const bool hasIndex = index >= 0 && index <= std::numeric_limits<std::int32_t>::max();
-    if (!this->Encoder.IsText()) // there it follows from the end of the line
-    {
-      this->AddInteger(bytes, this->Columns.FaceColors ? 4 : hasIndex ? 1 : 0);
-    }
+    const vtkIdType colorSize = this->Columns.FaceColors ? 4 : hasIndex ? 1 : 0;
+    // In text, the size of the color follows from the end of the line.
+    const vtkIdType count = points.Size + (this->Encoder.IsText() ? 1 : 2);
+    this->Encoder.Append<std::int32_t>(bytes, count, [&](vtkIdType i)
+      { return i == 0        ? points.Size
+          : i <= points.Size ? points[i - 1]
+                             : colorSize; });
     if (this->Columns.FaceColors)
     {
       this->AddColor(bytes, this->Columns.FaceColors, tuple);
@@ -300,13 +302,20 @@ private:
   /// Integers from 0 to 255 in text, else real numbers from 0 to 1.
   void AddColor(std::string& bytes, vtkDataArray* colors, vtkIdType tuple) const
   {
-    for (int c = 0; c < 4; ++c)
+    const auto getByte = [=](std::ptrdiff_t c)
     {
-      const int byte = c < colors->GetNumberOfComponents()
-        ? ToColorByte(colors->GetComponent(tuple, c), IsReal(colors))
+      return c < colors->GetNumberOfComponents()
+        ? ToColorByte(colors->GetComponent(tuple, static_cast<int>(c)), IsReal(colors))
         : FullColor;
-      this->Encoder.IsText() ? this->AddInteger(bytes, byte)
-                             : this->AddReal(bytes, byte / static_cast<double>(FullColor), true);
+    };
+    if (this->Encoder.IsText())
+    {
+      this->Encoder.Append<int>(bytes, 4, getByte);
+    }
+    else
+    {
+      this->AddReals(bytes, 4, true,
+        [&](std::ptrdiff_t c) { return getByte(c) / static_cast<double>(FullColor); });
     }
   }
 

@@ -275,16 +275,14 @@ bool Writing::WritePoints(const Progress& progress)
     {
       double x[3];
       this->Output.GetPoint(point, x);
-      for (const double coordinate : x)
+      if (this->IsDouble)
       {
-        if (this->IsDouble)
-        {
-          this->Encoder.Append(bytes, coordinate);
-        }
-        else
-        {
-          this->Encoder.Append(bytes, static_cast<float>(coordinate));
-        }
+        this->Encoder.Append<double>(bytes, 3, [&x](std::ptrdiff_t c) { return x[c]; });
+      }
+      else
+      {
+        this->Encoder.Append<float>(
+          bytes, 3, [&x](std::ptrdiff_t c) { return static_cast<float>(x[c]); });
       }
       this->PointColumns.Append(this->Encoder, bytes, this->Output.GetInputPoint(point));
       this->Encoder.EndRow(bytes);
@@ -307,10 +305,8 @@ bool Writing::WriteCells(bool areEdges, const Progress& progress)
       {
         this->AppendLength(bytes, points.Size, this->GreatestFace);
       }
-      for (vtkIdType i = 0; i < points.Size; ++i)
-      {
-        this->Encoder.Append(bytes, static_cast<std::int32_t>(points[i]));
-      }
+      this->Encoder.Append<std::int32_t>(
+        bytes, points.Size, [&points](vtkIdType i) { return points[i]; });
       this->CellColumns.Append(this->Encoder, bytes, this->Output.GetInputCell(cell));
       this->Encoder.EndRow(bytes);
     });
@@ -351,12 +347,9 @@ bool Writing::WriteLists(const WordLists& lists, bool areFaces, const Progress& 
       {
         const std::int32_t size = *word++;
         this->AppendLength(bytes, size, greatest);
-        for (std::int32_t i = 0; i < size; ++i)
-        {
-          const std::int32_t id = *word++;
-          this->Encoder.Append(
-            bytes, areFaces ? static_cast<std::int32_t>(this->Output.GetPointOf(id)) : id);
-        }
+        this->Encoder.Append<std::int32_t>(bytes, size, [&](std::ptrdiff_t i)
+          { return areFaces ? this->Output.GetPointOf(word[i]) : vtkIdType(word[i]); });
+        word += size;
         const vtkIdType cell = areFaces ? shared.CellOfPolygon[row] : polyhedra[row];
         const bool isFace = areFaces && shared.GetRole(cell) == FaceRole::Polyhedron;
         this->CellColumns.Append(this->Encoder, bytes, isFace ? -1 : cell);

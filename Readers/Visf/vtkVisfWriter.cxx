@@ -210,10 +210,8 @@ public:
       {
         double x[3];
         mesh.GetPoint(id, x);
-        for (const double coordinate : x)
-        {
-          this->Encoder.Append(bytes, static_cast<float>(coordinate));
-        }
+        this->Encoder.Append<float>(
+          bytes, 3, [&x](std::ptrdiff_t c) { return static_cast<float>(x[c]); });
         this->Encoder.EndRow(bytes);
       });
   }
@@ -227,11 +225,11 @@ public:
         const std::int32_t* const end = lists.Words.data() + lists.Starts[chunk + 1];
         while (word < end)
         {
-          for (std::int32_t left = *word; left >= 0; --left)
-          {
-            this->Encoder.Append(bytes, *word++);
-          }
+          const std::int32_t size = *word + 1;
+          this->Encoder.Append<std::int32_t>(
+            bytes, size, [word](std::ptrdiff_t i) { return word[i]; });
           this->Encoder.EndRow(bytes);
+          word += size;
         }
       });
   }

@@ -136,6 +136,10 @@ TEST(Bytes, StoresAndLoadsAnySize)
   EXPECT_EQ(Load<std::int16_t>(bytes.data() + 1, swap), -2);
   EXPECT_EQ(Load<std::int64_t>(bytes.data() + 7, swap), 0x0102030405060708);
   EXPECT_EQ(Load<double>(bytes.data() + 19, swap), -2.0);
+
+  bytes = "x";
+  AppendBytes<std::int16_t>(bytes, 3, [](std::ptrdiff_t i) { return 0x0102 * (i + 1); }, swap);
+  EXPECT_EQ(bytes, "x\1\2\2\4\3\6");
 }
 
 //------------------------------------------------------------------------------

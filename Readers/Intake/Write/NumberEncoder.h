@@ -38,6 +38,20 @@ public:
       AppendBytes(bytes, number, this->Swap);
     }
   }
+  /// The same for get(0) to get(count - 1), which binary files store as a type.
+  template <typename Number, typename Get>
+  void Append(std::string& bytes, std::ptrdiff_t count, Get&& get) const
+  {
+    if (!this->Text)
+    {
+      AppendBytes<Number>(bytes, count, get, this->Swap);
+      return;
+    }
+    for (std::ptrdiff_t i = 0; i < count; ++i)
+    {
+      this->Append(bytes, get(i));
+    }
+  }
   /// Ends a row of at least one number.
   void EndRow(std::string& bytes) const
   {
