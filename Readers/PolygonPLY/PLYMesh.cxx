@@ -40,20 +40,6 @@ bool ReadArrays(PLYArrays& arrays, vtkIdType tuples, std::vector<PLYArrayPlan>& 
   arrays.Allocate(tuples, true);
   return rows.ReadColumns(arrays.GetColumns(plans), targets, progress);
 }
-
-//------------------------------------------------------------------------------
-// Position in a piece of each item of the mesh, by global id.
-Buffer<std::int32_t> FindPlaces(vtkDataSetAttributes* attributes, vtkIdType numberOfItems)
-{
-  Buffer<std::int32_t> places(numberOfItems);
-  std::fill(places.data(), places.data() + numberOfItems, -1);
-  vtkDataArray* const ids = attributes->GetGlobalIds();
-  for (vtkIdType i = 0; i < ids->GetNumberOfTuples(); ++i)
-  {
-    places[static_cast<vtkIdType>(ids->GetTuple1(i))] = static_cast<std::int32_t>(i);
-  }
-  return places;
-}
 }
 
 //------------------------------------------------------------------------------
@@ -291,7 +277,6 @@ bool PLYMesh::ReadPolyhedra(const Progress& progress)
   if (!BuildGrid(
         mesh, this->Request, this->Grid, this->Messages, this->Error, progress.Part(0.5, 0.9)))
   {
-    this->Error.Message = this->Name + ": " + this->Error.Message;
     return false;
   }
 
@@ -374,7 +359,7 @@ bool PLYMesh::ReadOthers(const Progress& progress)
 }
 
 //------------------------------------------------------------------------------
-bool PLYMesh::Read(const MakeRows& makeRows, const Progress& progress)
+bool PLYMesh::Read(TableScanner& scanner, RowLayout layout, const Progress& progress)
 {
   this->Grid->Initialize();
   this->Messages = Warnings();
@@ -388,8 +373,8 @@ bool PLYMesh::Read(const MakeRows& makeRows, const Progress& progress)
   {
     this->Parts.push_back(MakePart(element, this->FindPart(PLYRole::Points) != nullptr));
     PLYPart& part = this->Parts.back();
-    part.Rows = makeRows(part.Element);
-    if (!part.Rows->Locate(progress.Part(0, 0.2)) || !this->ShapeLists(part, progress.Part(0, 0.2)))
+    if (!scanner.Locate(part.Rows, part.Element, progress.Part(0, 0.2), layout) ||
+      !this->ShapeLists(part, progress.Part(0, 0.2)))
     {
       return false;
     }
@@ -407,9 +392,8 @@ bool PLYMesh::Read(const MakeRows& makeRows, const Progress& progress)
     if (element.Find({ "x" }, false) < 0 || element.Find({ "y" }, false) < 0)
     {
       this->Error = { ErrorKind::Unsupported,
-        this->Name +
-          ": expected the properties 'x', 'y' and 'z' of the element 'vertex', found "
-          "none of these names" };
+        "expected the properties 'x', 'y' and 'z' of the element 'vertex', found none of these "
+        "names" };
       return false;
     }
     if (element.Find({ "z" }, false) < 0)

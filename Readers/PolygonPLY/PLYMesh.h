@@ -14,9 +14,6 @@
 #include "PLYArrays.h"
 #include "PLYParts.h"
 
-#include <functional> // for making rows
-#include <string>     // for names
-
 class vtkUnstructuredGrid;
 
 namespace camaron
@@ -26,22 +23,18 @@ struct FaceMesh;
 class PLYMesh
 {
 public:
-  using MakeRows = std::function<std::unique_ptr<TableRows>(const PLYElement&)>;
-
-  PLYMesh(const std::string& name, const PLYHeader& header, const PieceRequest& request,
-    vtkUnstructuredGrid* grid)
-    : Name(name)
-    , Header(header)
+  PLYMesh(const PLYHeader& header, const PieceRequest& request, vtkUnstructuredGrid* grid)
+    : Header(header)
     , Request(request)
     , Grid(grid)
   {
   }
 
   /// Every call starts anew; false with the error in the scanner of the rows or in Error.
-  bool Read(const MakeRows& makeRows, const Progress& progress);
+  bool Read(TableScanner& scanner, RowLayout layout, const Progress& progress);
 
   Warnings Messages;
-  ScanError Error;
+  ScanError Error; ///< does not name the file
 
 private:
   PLYPart* FindPart(PLYRole role);
@@ -55,7 +48,6 @@ private:
   bool ShapeLists(PLYPart& part, const Progress& progress);
   void WarnOfCells(const std::vector<PLYPart*>& parts);
 
-  std::string Name;
   const PLYHeader& Header;
   PieceRequest Request;
   vtkUnstructuredGrid* Grid;

@@ -7,90 +7,40 @@
 
 #include "vtkUnstructuredGrid.h"
 
-#include <algorithm>
 #include <optional>
 
 namespace camaron
 {
 namespace
 {
-constexpr char TrailingData[] = "there is more data after the end of the mesh";
-
-//------------------------------------------------------------------------------
-bool ReadBinaryRows(
-  BinaryScanner& scanner, const MappedFile& file, PLYMesh& mesh, const Progress& progress)
-{
-  const auto makeRows = [&](const PLYElement& element) { return MakeBinaryRows(element, scanner); };
-  if (!mesh.Read(makeRows, progress))
-  {
-    return false;
-  }
-  // Some programs also end binary files with a line end.
-  if (!std::all_of(scanner.GetPosition(), file.end(), IsSpace))
-  {
-    mesh.Messages.Add(TrailingData);
-  }
-  return true;
-}
-
 //------------------------------------------------------------------------------
 // Reads one row per line or, if that fails, a sequence of numbers that must use up the file.
-bool ReadRowsOfText(
-  TextScanner& scanner, const TextLines* lines, PLYMesh& mesh, const Progress& progress)
+bool ReadRows(TableScanner& scanner, PLYMesh& mesh, const Progress& progress)
 {
-  const auto read = [&](TextScanner& rows, RowLayout layout)
+  const auto read = [&](TextScanner& text, RowLayout layout)
   {
-    const auto makeRows = [&](const PLYElement& element)
-    { return MakeTextRows(element, rows, lines, layout); };
-    return mesh.Read(makeRows, progress);
+    TableScanner rows{ text, scanner.Binary, scanner.Lines, {} };
+    return mesh.Read(rows, layout, progress);
   };
-  TextScanner rows = scanner;
+  TextScanner rows = scanner.Text;
   if (read(rows, RowLayout::OneLine))
   {
-    if (rows.SkipSpace())
+    if (rows.SkipSpace()) // some programs also end binary files with a line end
     {
-      mesh.Messages.Add(TrailingData);
+      mesh.Messages.Add("there is more data after the end of the mesh");
     }
     return true;
   }
-  const ScanError error = mesh.Error;
-  TextScanner numbers = scanner;
-  if (!lines && !progress.IsStopped() && read(numbers, RowLayout::Free) && !numbers.SkipSpace())
+  scanner.Error = mesh.Error;
+  TextScanner numbers = scanner.Text;
+  if (!scanner.Binary && !scanner.Lines && !progress.IsStopped() &&
+    read(numbers, RowLayout::Free) && !numbers.SkipSpace())
   {
     mesh.Messages.Add("the file does not have one row per line");
     return true;
   }
-  mesh.Error = error;
-  scanner = rows;
+  scanner.Text = rows;
   return false;
-}
-
-//------------------------------------------------------------------------------
-bool ReadMesh(const MappedFile& file, const PLYHeader& header, PLYMesh& mesh, vtkIdType chunk,
-  const Progress& progress)
-{
-  std::optional<ByteOrder> order;
-  if (header.Encoding != PLYEncoding::Text)
-  {
-    order = header.Encoding == PLYEncoding::BigEndian ? ByteOrder::Big : ByteOrder::Little;
-  }
-  ScanError error;
-  const bool good = ReadTextOrBinary(file, order, '#', chunk, error, progress,
-    [&](TextScanner& text, BinaryScanner* binary, const TextLines* lines, const Progress& part)
-    {
-      if (binary)
-      {
-        binary->SetPosition(header.Body);
-        return ReadBinaryRows(*binary, file, mesh, part);
-      }
-      text.SetPosition(header.Body);
-      return ReadRowsOfText(text, lines, mesh, part);
-    });
-  if (!good)
-  {
-    mesh.Error = mesh.Error ? mesh.Error : error;
-  }
-  return good;
 }
 }
 
@@ -115,9 +65,18 @@ bool ReadPolygonPLY(const std::string& path, const PieceRequest& request, vtkUns
         error = scanner.GetError();
         return false;
       }
-      PLYMesh mesh(file.GetName(), header, request, grid);
-      const bool isRead = ReadMesh(file, header, mesh, chunk, rest);
-      error = isRead ? ScanError() : mesh.Error;
+      std::optional<ByteOrder> order;
+      if (header.Encoding != PLYEncoding::Text)
+      {
+        order = header.Encoding == PLYEncoding::BigEndian ? ByteOrder::Big : ByteOrder::Little;
+      }
+      PLYMesh mesh(header, request, grid);
+      const bool isRead = ReadTextOrBinary(file, order, '#', chunk, error, rest,
+        [&](TableScanner& rows, const Progress& part)
+        {
+          rows.Text.SetPosition(header.Body);
+          return ReadRows(rows, mesh, part);
+        });
       if (request.Piece == 0)
       {
         warnings = std::move(mesh.Messages);

@@ -124,6 +124,25 @@ if [[ $EUID == 0 ]] && stranger=(setpriv --reuid 65534 --regid 65534 --clear-gro
   expect "files in the shared folder" "" "$(ls -A "$folder/shared")"
 fi
 
+# What new format makes is complete, also its bytes: 12 points, 11 faces and 2 cells after a line.
+clone=$folder/clone
+mkdir -p "$clone/Readers/Base" "$clone/Scripts"
+cp "$1/camaron" "$clone" && cp -r "$1/Scripts/launcher" "$clone/Scripts"
+cp -r "$1/Readers/Base/Skeleton" "$clone/Readers/Base" && cp "$1/Readers/Formats.cmake" "$clone/Readers"
+"$clone/camaron" new format Foo >/dev/null
+expect "status of new format" 0 $?
+"$clone/camaron" new format Bar --faces >/dev/null
+expect "status of new format --faces" 0 $?
+expect "files with places to fill in" "" "$(grep -rlaE '@[A-Z]+@' "$clone/Readers/Foo" "$clone/Readers/Bar")"
+expect "names with places to fill in" "" "$(find "$clone/Readers/Foo" "$clone/Readers/Bar" -name '*@*' -o -name '*.in')"
+expect "formats" "Foo Bar" "$(grep -oE 'NAME +(Foo|Bar)$' "$clone/Readers/Formats.cmake" | awk '{ print $2 }' | xargs)"
+expect "bytes of a seed" $((19 + 12 * 24 + (11 * 5 + 2 * 8) * 4)) "$(stat -c %s "$clone/Readers/Bar/Testing/Seeds/little.bar")"
+for arguments in "Foo" "foo" "Baz --edges" "Baz --faces more"; do
+  # shellcheck disable=SC2086
+  "$clone/camaron" new format $arguments >/dev/null 2>&1
+  expect "status of new format $arguments" 2 $?
+done
+
 # Displays of their own, gone afterwards.
 if type Xvfb xauth >/dev/null 2>&1; then
   # shellcheck disable=SC2016

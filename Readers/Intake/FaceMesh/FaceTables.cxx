@@ -3,12 +3,13 @@
 #include "Intake/FaceMesh/FaceTables.h"
 
 #include "Intake/FaceMesh/FacesOfCells.h"
+#include "Intake/FaceMesh/GridBuilder.h"
 
 #include "vtkCellData.h"
 #include "vtkCellType.h"
 #include "vtkDataArray.h"
-#include "vtkIntArray.h"
-#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkSmartPointer.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
@@ -48,40 +49,6 @@ bool SetSides(TableRows& cells, const ListSizes& sizes, const Buffer<std::int32_
     }
   }
   return true;
-}
-}
-
-//------------------------------------------------------------------------------
-bool ReadPoints(TableRows& points, ValueType type, const std::array<int, 3>& properties,
-  FaceMesh& mesh, const Progress& progress)
-{
-  const vtkIdType count = points.GetCount();
-  char* values = nullptr;
-  if (type == ValueType::Double)
-  {
-    mesh.Doubles = Buffer<double>(3 * count);
-    values = reinterpret_cast<char*>(mesh.Doubles.data());
-  }
-  else
-  {
-    mesh.Floats = Buffer<float>(3 * count);
-    values = reinterpret_cast<char*>(mesh.Floats.data());
-  }
-  const int size = GetSize(type);
-  mesh.Points = PointSource(values, count, type == ValueType::Double);
-  std::vector<TableColumn> columns;
-  for (int c = 0; c < 3; ++c)
-  {
-    if (properties[c] >= 0)
-    {
-      columns.push_back({ properties[c], -1, ValueConversion::Value, type, values + c * size, 3 });
-    }
-  }
-  if (columns.size() < 3)
-  {
-    std::fill_n(values, 3 * count * size, '\0');
-  }
-  return points.ReadColumns(columns, TableTargets(), progress);
 }
 
 //------------------------------------------------------------------------------
@@ -141,17 +108,114 @@ bool ReadFacesOfCells(TableRows& cells, int list, const ListIds& faces, const Pi
 }
 
 //------------------------------------------------------------------------------
-void AddCellValues(const char* name, const Buffer<std::int32_t>& values, vtkUnstructuredGrid* grid)
+// Reads values of rows, from this property on, into arrays of their points or cells.
+bool ReadValues(TableRows& rows, std::size_t first, vtkDataSetAttributes* attributes,
+  vtkIdType tuples, const Progress& progress)
 {
-  vtkNew<vtkIntArray> array;
-  array->SetName(name);
-  array->SetNumberOfValues(grid->GetNumberOfCells());
-  vtkDataArray* const rows = grid->GetCellData()->GetGlobalIds(); // of a piece
-  for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
+  std::vector<TableColumn> columns;
+  const std::vector<TableProperty>& properties = rows.GetTable().Properties;
+  for (std::size_t i = first; i < properties.size(); ++i)
   {
-    const vtkIdType row = rows ? static_cast<vtkIdType>(rows->GetTuple1(cell)) : cell;
-    array->SetValue(cell, row < values.size() ? values[row] : 0); // faces follow the cells
+    if (!properties[i].IsList)
+    {
+      const vtkSmartPointer<vtkDataArray> array = MakeArray(properties[i].Type, 1, tuples);
+      array->SetName(properties[i].Name.c_str());
+      array->Fill(0);
+      attributes->AddArray(array);
+      columns.push_back({ static_cast<int>(i), -1, ValueConversion::Value, properties[i].Type,
+        array->GetVoidPointer(0), 1 });
+    }
   }
-  grid->GetCellData()->AddArray(array);
+  TableTargets targets;
+  Buffer<std::int32_t> places;
+  if (attributes->GetGlobalIds()) // of a piece
+  {
+    places = FindPlaces(attributes, rows.GetCount());
+    targets.Places = places.data();
+  }
+  return columns.empty() || rows.ReadColumns(columns, targets, progress);
+}
+
+//------------------------------------------------------------------------------
+int FindList(const TableRows& rows)
+{
+  const std::vector<TableProperty>& properties = rows.GetTable().Properties;
+  const auto list = std::find_if(properties.begin(), properties.end(),
+    [](const TableProperty& property) { return property.IsList; });
+  return static_cast<int>(list - properties.begin());
+}
+}
+
+//------------------------------------------------------------------------------
+bool ReadPoints(TableRows& points, ValueType type, const std::array<int, 3>& properties,
+  FaceMesh& mesh, const Progress& progress)
+{
+  const vtkIdType count = points.GetCount();
+  char* values = nullptr;
+  if (type == ValueType::Double)
+  {
+    mesh.Doubles = Buffer<double>(3 * count);
+    values = reinterpret_cast<char*>(mesh.Doubles.data());
+  }
+  else
+  {
+    mesh.Floats = Buffer<float>(3 * count);
+    values = reinterpret_cast<char*>(mesh.Floats.data());
+  }
+  const int size = GetSize(type);
+  mesh.Points = PointSource(values, count, type == ValueType::Double);
+  std::vector<TableColumn> columns;
+  for (int c = 0; c < 3; ++c)
+  {
+    if (properties[c] >= 0)
+    {
+      columns.push_back({ properties[c], -1, ValueConversion::Value, type, values + c * size, 3 });
+    }
+  }
+  if (columns.size() < 3)
+  {
+    std::fill_n(values, 3 * count * size, '\0');
+  }
+  return points.ReadColumns(columns, TableTargets(), progress);
+}
+
+//------------------------------------------------------------------------------
+Buffer<std::int32_t> FindPlaces(vtkDataSetAttributes* attributes, vtkIdType numberOfItems)
+{
+  Buffer<std::int32_t> places(numberOfItems);
+  std::fill(places.data(), places.data() + numberOfItems, -1);
+  vtkDataArray* const ids = attributes->GetGlobalIds();
+  for (vtkIdType i = 0; i < ids->GetNumberOfTuples(); ++i)
+  {
+    const auto id = static_cast<vtkIdType>(ids->GetTuple1(i));
+    if (id < numberOfItems)
+    {
+      places[id] = static_cast<std::int32_t>(i);
+    }
+  }
+  return places;
+}
+
+//------------------------------------------------------------------------------
+bool ReadFaceTables(FaceTables& tables, const PieceRequest& request, vtkUnstructuredGrid* grid,
+  Warnings& warnings, ScanError& error, const Progress& progress)
+{
+  grid->Initialize();
+  warnings = Warnings();
+  TableRows &points = *tables.Points, &faces = *tables.Faces, &cells = *tables.Cells;
+  tables.PointsOfFaces.Limit = points.GetCount();
+  tables.FacesOfCells.Limit = faces.GetCount();
+  FaceMesh mesh;
+  return ReadPoints(points, points.GetTable().Properties[0].Type, { 0, 1, 2 }, mesh,
+           progress.Part(0, 0.2)) &&
+    ReadFaces(faces, FindList(faces), tables.PointsOfFaces, request, mesh, warnings,
+      progress.Part(0.2, 0.4)) &&
+    ReadFacesOfCells(cells, FindList(cells), tables.FacesOfCells, request, mesh, warnings,
+      progress.Part(0.4, 0.6)) &&
+    points.RefuseLongRows() && faces.RefuseLongRows() && cells.RefuseLongRows() &&
+    BuildGrid(mesh, request, grid, warnings, error, progress.Part(0.6, 0.9)) &&
+    ReadValues(
+      points, 3, grid->GetPointData(), grid->GetNumberOfPoints(), progress.Part(0.9, 0.95)) &&
+    ReadValues(cells, 0, grid->GetCellData(), grid->GetNumberOfCells(), progress.Part(0.95, 1));
 }
 }

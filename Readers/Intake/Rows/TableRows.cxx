@@ -3,6 +3,7 @@
 #include "Intake/Rows/TableRows.h"
 
 #include "Base/Parallel.h"
+#include "Base/Text.h"
 
 #include <algorithm>
 #include <mutex>
@@ -363,5 +364,70 @@ bool TableRows::ForEachPoint(
       }
       return true;
     });
+}
+
+//------------------------------------------------------------------------------
+bool TableScanner::Locate(
+  std::unique_ptr<TableRows>& rows, const Table& table, const Progress& progress, RowLayout layout)
+{
+  if (!this->Binary)
+  {
+    rows = MakeTextRows(table, this->Text, this->Lines, layout);
+    return rows->Locate(progress);
+  }
+  this->Binary->SetPosition(this->Text.GetPosition());
+  rows = MakeBinaryRows(table, *this->Binary);
+  const bool good = rows->Locate(progress);
+  this->Text.SetPosition(this->Binary->GetPosition());
+  return good;
+}
+
+//------------------------------------------------------------------------------
+bool TableScanner::ReadEnd()
+{
+  constexpr char end[] = "the end of the file";
+  if (!this->Text.SkipSpace())
+  {
+    return true;
+  }
+  const char* const place = this->Text.GetPosition();
+  return this->Binary ? this->Binary->FailAt(place, ErrorKind::Syntax, end,
+                          CountOf(this->Text.GetBytesLeft(), "more byte", "more bytes"))
+                      : this->Text.FailAt(place, ErrorKind::Syntax, end);
+}
+
+//------------------------------------------------------------------------------
+bool ReadTextOrBinary(const MappedFile& file, std::optional<ByteOrder> order, char comment,
+  vtkIdType chunk, ScanError& error, const Progress& progress,
+  FunctionRef<bool(TableScanner&, const Progress&)> read)
+{
+  ScanError ofMesh;
+  const auto readTables =
+    [&](TextScanner& text, BinaryScanner* binary, const TextLines* lines, const Progress& part)
+  {
+    TableScanner scanner{ text, binary, lines, {} };
+    const bool good = read(scanner, part);
+    ofMesh = good ? ScanError() : scanner.Error;
+    return good;
+  };
+  bool good = false;
+  if (!order)
+  {
+    good = ReadText(file, comment, chunk, error, progress,
+      [&](TextScanner& text, const TextLines* lines, const Progress& part)
+      { return readTables(text, nullptr, lines, part); });
+  }
+  else
+  {
+    TextScanner text(file.GetName(), file.begin(), file.end());
+    BinaryScanner binary(file.GetName(), file.begin(), file.end(), *order);
+    good = readTables(text, &binary, nullptr, progress);
+    error = binary.HasFailed() ? binary.GetError() : text.GetError();
+  }
+  if (ofMesh && !progress.IsStopped())
+  {
+    error = { ofMesh.Kind, file.GetName() + ": " + ofMesh.Message };
+  }
+  return good;
 }
 }

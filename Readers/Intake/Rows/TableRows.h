@@ -348,26 +348,32 @@ std::unique_ptr<TableRows> MakeTextRows(
   const Table& table, TextScanner& scanner, const TextLines* lines, RowLayout layout);
 
 /**
- * The frame of a reader of tables in text or, with a byte order, binary rows between lines of text:
- * calls @a read(TextScanner&, BinaryScanner*, const TextLines*, const Progress&), with a binary
- * scanner of the same file if its rows are binary; see ReadText.
+ * A file that has tables as text or, between lines of text, as binary rows: reads them one after
+ * the other.
  */
-template <typename Read>
-bool ReadTextOrBinary(const MappedFile& file, std::optional<ByteOrder> order, char comment,
-  vtkIdType chunk, ScanError& error, const Progress& progress, Read&& read)
+struct TableScanner
 {
-  if (!order)
-  {
-    return ReadText(file, comment, chunk, error, progress,
-      [&read](TextScanner& text, const TextLines* lines, const Progress& part)
-      { return read(text, static_cast<BinaryScanner*>(nullptr), lines, part); });
-  }
-  TextScanner text(file.GetName(), file.begin(), file.end());
-  BinaryScanner binary(file.GetName(), file.begin(), file.end(), *order);
-  const bool good = read(text, &binary, static_cast<const TextLines*>(nullptr), progress);
-  error = binary.HasFailed() ? binary.GetError() : text.GetError();
-  return good;
-}
+  TextScanner& Text;
+  BinaryScanner* Binary = nullptr;  ///< of the same file if its rows are binary
+  const TextLines* Lines = nullptr; ///< if text is read in parallel
+  ScanError Error;                  ///< of the mesh, not of a place in the file, nor with its name
+
+  /// Makes the rows from the position of the text on, which moves to their end. Here and below,
+  /// false with the error in one of the scanners, or if stopped; see TableRows::Locate.
+  bool Locate(std::unique_ptr<TableRows>& rows, const Table& table, const Progress& progress,
+    RowLayout layout = RowLayout::OneLine);
+  /// Expects nothing but blanks, and comments in text.
+  bool ReadEnd();
+};
+
+/**
+ * The frame of a reader of tables in text or, with a byte order, binary rows: calls @a read, again
+ * from scratch if text does not have one row per line; see ReadText.
+ * @return false with the reason in @a error, or without one if stopped
+ */
+bool ReadTextOrBinary(const MappedFile& file, std::optional<ByteOrder> order, char comment,
+  vtkIdType chunk, ScanError& error, const Progress& progress,
+  FunctionRef<bool(TableScanner&, const Progress&)> read);
 }
 
 #endif
