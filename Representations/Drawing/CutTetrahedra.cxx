@@ -2,10 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CutTetrahedra.h"
 
-#include "CutTetrahedraGS.h"
-#include "CutTetrahedraVS.h"
-#include "InShapeGLSL.h"
 #include "InspectionMesh.h"
+#include "Shaders.h"
 #include "ShapeConversion.h"
 
 #include "Drawing/CellTetrahedra.h"

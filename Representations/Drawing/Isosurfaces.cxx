@@ -4,8 +4,7 @@
 
 #include "InspectionMesh.h"
 #include "InspectionValues.h"
-#include "IsosurfaceGS.h"
-#include "IsosurfaceVS.h"
+#include "Shaders.h"
 
 #include "Drawing/CellTetrahedra.h"
 #include "Mesh/MeshView.h"

@@ -1,16 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The part of vtkMeshInspectionMapper that changes VTK's shaders and sets their uniforms.
-#include "CapVS.h"
-#include "FacesVS.h"
-#include "InShapeGLSL.h"
-#include "InputsGLSL.h"
 #include "InspectionArrays.h"
 #include "InspectionTables.h"
 #include "MeshMatrices.h"
-#include "NormalLinesVS.h"
-#include "PickingGLSL.h"
-#include "PlaceGLSL.h"
+#include "Shaders.h"
 #include "vtkMeshInspectionMapper.h"
 
 #include "vtkActor.h"

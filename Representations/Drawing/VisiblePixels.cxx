@@ -2,14 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VisiblePixels.h"
 
-#include "CutExactlyGLSL.h"
-#include "InShapeGLSL.h"
 #include "InspectionMesh.h"
 #include "InspectionStyle.h"
-#include "PlaceGLSL.h"
+#include "Shaders.h"
 #include "ShapeConversion.h"
-#include "VisiblePixelsFS.h"
-#include "VisiblePixelsVS.h"
 
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"

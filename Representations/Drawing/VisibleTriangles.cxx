@@ -2,12 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VisibleTriangles.h"
 
-#include "InShapeGLSL.h"
 #include "InspectionMesh.h"
-#include "KeepCellsVS.h"
+#include "Shaders.h"
 #include "ShapeConversion.h"
-#include "VisibleTrianglesGS.h"
-#include "VisibleTrianglesVS.h"
 
 #include "vtkUnstructuredGrid.h"
 
