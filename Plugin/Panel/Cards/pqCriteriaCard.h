@@ -5,7 +5,7 @@
  * @brief Card "Criteria": which criteria to evaluate, and their results.
  *
  * Ticks are evaluated with one Element Quality filter (for faces, edges and vertices with one Mesh
- * Elements filter): by themselves for meshes up to pqInspectedMesh::automaticLimit() cells, else
+ * Elements filter): by themselves for small meshes, see MeshOutput::isSmall(), else
  * when the user clicks *Evaluate*. A click on a criterion shows its histogram and colors the mesh.
  */
 #ifndef pqCriteriaCard_h

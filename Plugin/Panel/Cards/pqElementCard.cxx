@@ -157,7 +157,8 @@ void pqElementCard::goToText()
   }
   else
   {
-    this->Summary->setText(tr("There is no %1 with the id %2.").arg(this->mesh()->element(), text));
+    this->Summary->setText(
+      tr("There is no %1 with the id %2.").arg(this->mesh()->elements(1), text));
   }
 }
 
@@ -219,7 +220,7 @@ void pqElementCard::refresh()
     camaron::ShowText(this->Neighbors, QString());
     this->Summary->setText(this->Wanted.isEmpty()
         ? tr("Pick an element in the view, choose a row of Worst, or type an id.")
-        : tr("There is no %1 with the id %2.").arg(this->mesh()->element(), this->Wanted));
+        : tr("There is no %1 with the id %2.").arg(this->mesh()->elements(1), this->Wanted));
     return;
   }
   const auto number = [&](const char* axis)
@@ -228,7 +229,7 @@ void pqElementCard::refresh()
     const QString text = camaron::ShortNumber(element.number(0, axis), digits);
     return text.isEmpty() ? QString("NaN") : text;
   };
-  QString noun = this->mesh()->element();
+  QString noun = this->mesh()->elements(1);
   noun[0] = noun[0].toUpper();
   this->Summary->setText(tr("%1 %2: %3 at %4, %5, %6")
       .arg(noun, this->Wanted, camaron::CellTypeName(element.text(0, "CellType")), number("X"),

@@ -77,8 +77,8 @@ void pqMeshCard::refresh()
   QString counts =
     tr("<b>%1</b>%2: <nobr>%3 %4</nobr>, <nobr>%5 points</nobr>, %6")
       .arg(summary.Name.toHtmlEscaped(), step, camaron::GroupedInteger(summary.Cells),
-        summary.Cells == 1 ? this->mesh()->element() : this->mesh()->elements(),
-        camaron::GroupedInteger(summary.Points), SpellMemory(summary.Memory));
+        this->mesh()->elements(summary.Cells), camaron::GroupedInteger(summary.Points),
+        SpellMemory(summary.Memory));
   if (summary.Blocks > 0)
   {
     counts += tr(", %1&nbsp;blocks").arg(camaron::GroupedInteger(summary.Blocks));

@@ -4,7 +4,7 @@
  * @class pqMeshCard
  * @brief Card "Mesh": counts by cell type, bounds, memory, and whether the cells are valid.
  *
- * Validity is computed by itself for meshes up to pqInspectedMesh::automaticLimit() cells, else on
+ * Validity is computed by itself for small meshes, see MeshOutput::isSmall(), else on
  * request. A click on the line of a defect selects its cells.
  */
 #ifndef pqMeshCard_h

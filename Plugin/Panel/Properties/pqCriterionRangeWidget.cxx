@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pqCriterionRangeWidget.h"
 
+#include "MeshOutput.h"
 #include "NumberText.h"
 #include "pqHistogramPlot.h"
-#include "pqInspectedMesh.h"
 #include "pqMeshQuestions.h"
 #include "pqMeshServices.h"
 
@@ -16,7 +16,6 @@
 #include "pqServerManagerModel.h"
 
 #include "vtkCommand.h"
-#include "vtkPVDataInformation.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxy.h"
 #include "vtkSMUncheckedPropertyHelper.h"
@@ -129,9 +128,7 @@ void pqCriterionRangeWidget::refresh()
 {
   pqOutputPort* port = this->input();
   const bool hasValues = port && !this->array().isEmpty();
-  const bool isSmall = hasValues &&
-    port->getDataInformation()->GetNumberOfCells() <=
-      pqMeshServices::instance()->Mesh->automaticLimit();
+  const bool isSmall = hasValues && camaron::MeshOutput(port).isSmall();
   this->Plot->setVisible(hasValues);
   this->Compute->setVisible(hasValues && !isSmall);
   this->Shown = {};

@@ -6,8 +6,8 @@
  * the histogram of the array with handles.
  *
  * A handle that is dragged makes the range a custom one. As all changes in the panel, this awaits
- * Apply. The histogram is computed by itself for meshes up to pqInspectedMesh::automaticLimit()
- * cells, else on request.
+ * Apply. The histogram is computed by itself for small meshes, see MeshOutput::isSmall(),
+ * else on request.
  */
 #ifndef pqCriterionRangeWidget_h
 #define pqCriterionRangeWidget_h

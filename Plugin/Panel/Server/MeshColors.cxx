@@ -13,7 +13,6 @@
 
 #include "vtkDataObject.h"
 #include "vtkPVArrayInformation.h"
-#include "vtkPVDataInformation.h"
 #include "vtkSMColorMapEditorHelper.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMRenderViewProxy.h"
@@ -219,10 +218,7 @@ void MeshColors::fit()
 {
   const QString array = this->array();
   const CriterionInfo* info = this->Questions->criterion(array);
-  vtkPVDataInformation* information = this->Mesh->information();
-  vtkPVArrayInformation* values = information
-    ? information->GetArrayInformation(array.toUtf8().constData(), vtkDataObject::CELL)
-    : nullptr;
+  vtkPVArrayInformation* values = this->Mesh->array(array);
   if (!info || !values)
   {
     return;

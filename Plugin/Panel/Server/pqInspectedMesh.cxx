@@ -9,41 +9,18 @@
 
 #include "pqActiveObjects.h"
 #include "pqApplicationCore.h"
-#include "pqDataRepresentation.h"
 #include "pqOutputPort.h"
 #include "pqPipelineSource.h"
-#include "pqRenderView.h"
 #include "pqServer.h"
 #include "pqServerManagerModel.h"
 
 #include "vtkCommand.h"
-#include "vtkDataSetAttributes.h"
-#include "vtkPVArrayInformation.h"
 #include "vtkPVDataInformation.h"
-#include "vtkPVDataSetAttributesInformation.h"
 #include "vtkSMSessionProxyManager.h"
 #include "vtkSMSourceProxy.h"
 
 namespace
 {
-constexpr const char* ElementsName = "MeshElements";
-
-//------------------------------------------------------------------------------
-// The input of a filter whose output has the same elements; nullptr for other sources.
-pqOutputPort* GetSameElements(pqOutputPort* port)
-{
-  bool isSame = false;
-  for (const char* name :
-    { "ElementQuality", camaron::SelectName, "ExtractSelection", "Threshold" })
-  {
-    isSame = isSame || camaron::IsFilter(port->getSource(), name);
-  }
-  return isSame ? camaron::GetInput(port->getSource()) : nullptr;
-}
-
-//------------------------------------------------------------------------------
-constexpr const char* SettingsName = "MeshInspectorSettings";
-
 //------------------------------------------------------------------------------
 // Information about the output of a port, without an update, which only Apply may cause; nullptr
 // for a source that awaits it.
@@ -82,6 +59,7 @@ QString SpellOtherReader(pqPipelineSource* source)
 //------------------------------------------------------------------------------
 pqInspectedMesh::pqInspectedMesh(QObject* parent)
   : QObject(parent)
+  , MeshOutput(nullptr)
 {
   this->MeshTimer.setSingleShot(true);
   this->MeshTimer.setInterval(0);
@@ -168,7 +146,7 @@ void pqInspectedMesh::findMesh()
   } // a source that awaits Apply leaves the mesh as it is
   this->followCells();
   this->SettingsConnector->Disconnect();
-  if (vtkSMProxy* settings = this->settings())
+  if (vtkSMProxy* settings = MeshOutput::settings())
   {
     this->SettingsConnector->Connect(
       settings, vtkCommand::PropertyModifiedEvent, &this->MeshTimer, SLOT(start()));
@@ -241,143 +219,4 @@ QString pqInspectedMesh::reasonForNone() const
 pqServer* pqInspectedMesh::server() const
 {
   return pqActiveObjects::instance().activeServer();
-}
-
-//------------------------------------------------------------------------------
-pqRenderView* pqInspectedMesh::view() const
-{
-  auto* active = qobject_cast<pqRenderView*>(pqActiveObjects::instance().activeView());
-  const auto shows = [this](pqRenderView* view)
-  {
-    pqDataRepresentation* shown = this->Port ? this->Port->getRepresentation(view) : nullptr;
-    return shown && shown->isVisible();
-  };
-  if (!active || !shows(active))
-  {
-    auto* model = pqApplicationCore::instance()->getServerManagerModel();
-    for (pqRenderView* other :
-      model->findItems<pqRenderView*>(pqActiveObjects::instance().activeServer()))
-    {
-      if (shows(other))
-      {
-        return other;
-      }
-    }
-  }
-  return active;
-}
-
-//------------------------------------------------------------------------------
-pqDataRepresentation* pqInspectedMesh::representation() const
-{
-  pqRenderView* view = this->view();
-  return this->Port && view ? this->Port->getRepresentation(view) : nullptr;
-}
-
-//------------------------------------------------------------------------------
-vtkPVDataInformation* pqInspectedMesh::information() const
-{
-  return this->Port ? this->Port->getDataInformation() : nullptr;
-}
-
-//------------------------------------------------------------------------------
-QStringList pqInspectedMesh::cellArrays() const
-{
-  QStringList names;
-  if (vtkPVDataInformation* information = this->information())
-  {
-    auto* arrays = information->GetCellDataInformation();
-    for (int i = 0; i < arrays->GetNumberOfArrays(); ++i)
-    {
-      vtkPVArrayInformation* array = arrays->GetArrayInformation(i);
-      if (array->GetName() && array->GetNumberOfComponents() == 1)
-      {
-        names << QString::fromUtf8(array->GetName());
-      }
-    }
-  }
-  return names;
-}
-
-//------------------------------------------------------------------------------
-QString pqInspectedMesh::idSpace() const
-{
-  vtkPVDataInformation* information = this->information();
-  const bool hasIds = information &&
-    information->GetCellDataInformation()->GetAttributeInformation(vtkDataSetAttributes::GLOBALIDS);
-  return hasIds ? "Global id" : "Index";
-}
-
-//------------------------------------------------------------------------------
-bool pqInspectedMesh::isSmall() const
-{
-  vtkPVDataInformation* information = this->information();
-  return information && information->GetNumberOfCells() <= this->automaticLimit();
-}
-
-//------------------------------------------------------------------------------
-vtkSMProxy* pqInspectedMesh::settings() const
-{
-  pqServer* server = this->server();
-  return server ? server->proxyManager()->GetProxy("settings", SettingsName) : nullptr;
-}
-
-//------------------------------------------------------------------------------
-qint64 pqInspectedMesh::automaticLimit() const
-{
-  return camaron::GetProperty(this->settings(), "AutomaticLimit").toLongLong();
-}
-
-//------------------------------------------------------------------------------
-// Faces, edges and vertices, which are cells of outputs of Mesh Elements.
-const QStringList pqInspectedMesh::ElementTypes = { "Face", "Edge", "Vertex" };
-
-//------------------------------------------------------------------------------
-pqOutputPort* pqInspectedMesh::elementSource() const
-{
-  pqOutputPort* port = this->Port;
-  while (port && !camaron::IsFilter(port->getSource(), ElementsName))
-  {
-    port = GetSameElements(port);
-  }
-  return port;
-}
-
-//------------------------------------------------------------------------------
-QString pqInspectedMesh::elementType() const
-{
-  const pqOutputPort* port = this->elementSource();
-  return port ? ElementTypes.value(port->getPortNumber()) : QString("Cell");
-}
-
-//------------------------------------------------------------------------------
-QString pqInspectedMesh::element() const
-{
-  const QString names[] = { tr("face"), tr("edge"), tr("vertex") };
-  const pqOutputPort* port = this->elementSource();
-  return port ? names[port->getPortNumber()] : tr("cell");
-}
-
-//------------------------------------------------------------------------------
-QString pqInspectedMesh::elements() const
-{
-  const QString names[] = { tr("faces"), tr("edges"), tr("vertices") };
-  const pqOutputPort* port = this->elementSource();
-  return port ? names[port->getPortNumber()] : tr("cells");
-}
-
-//------------------------------------------------------------------------------
-pqPipelineSource* pqInspectedMesh::elementsFilter() const
-{
-  for (pqOutputPort* port = this->Port; port; port = GetSameElements(port))
-  {
-    for (pqPipelineSource* consumer : port->getConsumers())
-    {
-      if (camaron::IsFilter(consumer, ElementsName))
-      {
-        return consumer;
-      }
-    }
-  }
-  return nullptr;
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class pqInspectedMesh
- * @brief Which mesh the Mesh Inspector shows, and what the client knows of it.
+ * @brief Which mesh the Mesh Inspector shows, and when it changes.
  *
  * The mesh is the output of the active source, if that has cells. It never comes to the client:
  * tables do, see pqMeshQuestions.
@@ -11,33 +11,25 @@
 #define pqInspectedMesh_h
 
 #include "HelperFilters.h"
-
-#include "pqOutputPort.h" // for pointers to it
+#include "MeshOutput.h"
 
 #include "vtkEventQtSlotConnect.h" // for the settings
 #include "vtkNew.h"                // for the connector
 
 #include <QObject>
-#include <QPointer>    // for ports
-#include <QStringList> // for names
-#include <pqTimer.h>   // for a delayed signal
+#include <pqTimer.h> // for a delayed signal
 
-class pqDataRepresentation;
 class pqPipelineSource;
-class pqRenderView;
 class pqServer;
-class vtkPVDataInformation;
-class vtkSMProxy;
 
-class pqInspectedMesh : public QObject
+class pqInspectedMesh
+  : public QObject
+  , public camaron::MeshOutput
 {
   Q_OBJECT
 
 public:
   explicit pqInspectedMesh(QObject* parent);
-
-  /// Types of the outputs of Mesh Elements.
-  static const QStringList ElementTypes;
 
   ///@{
   /// Whether to follow the active source; a hidden panel asks for nothing. Default: no.
@@ -45,11 +37,8 @@ public:
   bool isFollowing() const { return this->IsFollowing; }
   ///@}
 
-  ///@{
   /// The output that is inspected; nullptr if the active source has no cells or was not applied.
-  pqOutputPort* port() const { return this->Port; }
   void setPort(pqOutputPort* port);
-  ///@}
 
   /// The output before the steps of selection.
   pqOutputPort* cellsPort() const { return this->CellsPort; }
@@ -73,42 +62,6 @@ public:
   int cellsVersion() const { return this->CellsVersion; }
   int meshVersion() const { return this->MeshVersion; }
   ///@}
-
-  ///@{
-  /// Element type of the cells of the mesh: "Cell", or "Face", "Edge" or "Vertex" of Mesh Elements;
-  /// and the name of one and of several elements in texts, such as "face" and "faces".
-  QString elementType() const;
-  QString element() const;
-  QString elements() const;
-  ///@}
-
-  /// The output of Mesh Elements that the mesh consists of; nullptr if it consists of cells.
-  pqOutputPort* elementSource() const;
-
-  /// The Mesh Elements of the cells, if there is one.
-  pqPipelineSource* elementsFilter() const;
-
-  /// Information about the data without an update; nullptr without a mesh.
-  vtkPVDataInformation* information() const;
-
-  /// One-component cell arrays.
-  QStringList cellArrays() const;
-
-  /// How tables of the server identify elements: "Global id" if the mesh has them, else "Index".
-  QString idSpace() const;
-
-  ///@{
-  /// Whether the mesh is small enough for computations without request: it has at most this number
-  /// of cells, from ParaView's settings.
-  bool isSmall() const;
-  qint64 automaticLimit() const;
-  ///@}
-
-  /// The active view, or another one that shows the mesh if that does not.
-  pqRenderView* view() const;
-
-  /// The representation of the mesh in that view; nullptr if it has none.
-  pqDataRepresentation* representation() const;
 
   ///@{
   /// The filters that answer questions about the mesh. While they compute, events must wait.
@@ -137,11 +90,7 @@ private:
   void followCells();
   void forget();
 
-  /// The page "Mesh Inspector" of ParaView's settings; nullptr without a server.
-  vtkSMProxy* settings() const;
-
   bool IsFollowing = false;
-  QPointer<pqOutputPort> Port;
   QPointer<pqOutputPort> CellsPort;
   QPointer<pqOutputPort> MeshPort;
   QString MeshElements; // type of its elements that are inspected

@@ -28,7 +28,6 @@
 #include "vtkEventQtSlotConnect.h"
 #include "vtkNew.h"
 #include "vtkPVArrayInformation.h"
-#include "vtkPVDataInformation.h"
 #include "vtkSMProperty.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMSourceProxy.h"
@@ -351,10 +350,7 @@ bool pqMeshDisplay::hasCutHandles() const
 //------------------------------------------------------------------------------
 QPair<double, double> pqMeshDisplay::isosurfaceRange() const
 {
-  const QByteArray array = this->isosurfaceArray().toUtf8();
-  vtkPVArrayInformation* values = array.isEmpty()
-    ? nullptr
-    : this->Mesh->information()->GetArrayInformation(array, vtkDataObject::POINT);
+  vtkPVArrayInformation* values = this->Mesh->array(this->isosurfaceArray(), vtkDataObject::POINT);
   return values ? qMakePair(values->GetComponentRange(0)[0], values->GetComponentRange(0)[1])
                 : qMakePair(0.0, 1.0);
 }
@@ -364,18 +360,16 @@ QString pqMeshDisplay::isosurfaceArray() const
 {
   pqDataRepresentation* shown = this->Mesh->representation();
   vtkSMProperty* property = shown ? shown->getProxy()->GetProperty("IsosurfaceArray") : nullptr;
-  const char* array =
-    property ? vtkSMPropertyHelper(property).GetInputArrayNameToProcess() : nullptr;
-  const bool exists =
-    array && this->Mesh->information()->GetArrayInformation(array, vtkDataObject::POINT);
-  return exists ? QString::fromUtf8(array) : QString();
+  const QString array = property
+    ? QString::fromUtf8(vtkSMPropertyHelper(property).GetInputArrayNameToProcess())
+    : QString();
+  return this->Mesh->array(array, vtkDataObject::POINT) ? array : QString();
 }
 
 //------------------------------------------------------------------------------
 void pqMeshDisplay::showSelection()
 {
-  vtkSMSourceProxy* selection =
-    this->Mesh->port() ? this->Mesh->port()->getSelectionInput() : nullptr;
+  vtkSMSourceProxy* selection = this->Mesh->selection();
   pqDataRepresentation* shown = this->Mesh->representation();
   const bool isDrawn = selection && shown && shown->isVisible() &&
     !camaron::IsOfPoints(selection) &&

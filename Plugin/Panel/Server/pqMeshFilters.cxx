@@ -180,7 +180,8 @@ void pqMeshFilters::evaluate(const QStringList& names, const QString& elementTyp
     properties["Preset"] = QString("Ticked criteria");
   }
   // Only steps of selection may be in between: another filter may have changed the cells.
-  const pqOutputPort* evaluated = isOfCells ? this->Mesh->cellsPort() : this->Mesh->elementSource();
+  const pqOutputPort* evaluated =
+    isOfCells ? this->Mesh->cellsPort() : this->Mesh->elementsPort(elementType);
   if (evaluated && camaron::IsFilter(evaluated->getSource(), filter))
   {
     this->changeFilter(evaluated->getSource(), properties);
@@ -226,17 +227,9 @@ void pqMeshFilters::evaluateAlso(const QString& name)
 //------------------------------------------------------------------------------
 void pqMeshFilters::showElements(const QString& elementType)
 {
-  if (!this->Mesh->port() || elementType == this->Mesh->elementType())
+  if (elementType != this->Mesh->elementType())
   {
-    return;
-  }
-  pqOutputPort* present = this->Mesh->elementSource();
-  pqPipelineSource* source = present ? present->getSource() : this->Mesh->elementsFilter();
-  if (source)
-  {
-    this->inspect(elementType == "Cell" ? camaron::GetInput(source)
-                                        : source->getOutputPort(static_cast<int>(
-                                            pqInspectedMesh::ElementTypes.indexOf(elementType))));
+    this->inspect(this->Mesh->elementsPort(elementType));
   }
 }
 

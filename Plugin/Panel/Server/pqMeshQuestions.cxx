@@ -11,7 +11,6 @@
 #include "pqPipelineSource.h"
 #include "pqServer.h"
 
-#include "vtkDataObject.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkPVArrayInformation.h"
 #include "vtkPVDataInformation.h"
@@ -284,8 +283,7 @@ QStringList pqMeshQuestions::otherArrays() const
   names.removeIf(
     [this](const QString& name)
     {
-      auto* array = this->Mesh->information()->GetArrayInformation(
-        name.toUtf8().constData(), vtkDataObject::CELL);
+      vtkPVArrayInformation* array = this->Mesh->array(name);
       return this->criterion(name) || name == SelectedName || name.startsWith("vtk") || !array ||
         array->GetDataType() == VTK_STRING; // which has groups, but no numbers
     });
@@ -298,9 +296,7 @@ QStringList pqMeshQuestions::groupArrays() const
   QStringList names;
   for (const QString& array : this->Mesh->cellArrays())
   {
-    vtkPVArrayInformation* information =
-      this->Mesh->port()->getDataInformation()->GetArrayInformation(
-        array.toUtf8().constData(), vtkDataObject::CELL);
+    vtkPVArrayInformation* information = this->Mesh->array(array);
     if (information && IsCategory(*information, this->Mesh->information()->GetNumberOfCells()) &&
       !this->criterion(array) && !array.startsWith("vtk"))
     {

@@ -8,7 +8,7 @@
  * filters stay unregistered, so states and traces contain what the user created.
  *
  * Calls that compute block the window as ParaView's Apply does, with its progress bar. They are
- * made on request of the user, or by themselves for small meshes, see pqInspectedMesh::isSmall().
+ * made on request of the user, or by themselves for small meshes, see MeshOutput::isSmall().
  */
 #ifndef pqMeshQuestions_h
 #define pqMeshQuestions_h
@@ -113,7 +113,7 @@ public:
   /// ones. Check Quality and Select Elements have the same properties.
   QMap<QString, QVariant> evaluationOptions() const;
 
-  /// The id of the first selected element in pqInspectedMesh::idSpace(); empty if there is none.
+  /// The id of the first selected element in MeshOutput::idSpace(); empty if there is none.
   QString selectedId() const;
   ///@}
 

@@ -296,7 +296,7 @@ camaron::Helper pqMeshQuestions::marked(const QString& strategy, const QString& 
     camaron::SetProperty(select, "Strategy", strategy);
     camaron::SetProperty(select, "ElementType", elements);
     vtkSMPropertyHelper input(select, "Selection");
-    vtkSMSourceProxy* selection = this->Mesh->port()->getSelectionInput();
+    vtkSMSourceProxy* selection = this->Mesh->selection();
     if (input.GetAsProxy() != selection) // else the filter would mark them once more
     {
       input.RemoveAllValues();

@@ -14,8 +14,6 @@
 #include "pqServer.h"
 #include "pqServerManagerModel.h"
 
-#include "vtkDataObject.h"
-#include "vtkPVDataInformation.h"
 #include "vtkSMSourceProxy.h"
 
 #include <QCoreApplication>
@@ -170,9 +168,7 @@ QStringList pqMeshQuestions::otherMeshes(const QString& array) const
     model->findItems<pqPipelineSource*>(pqActiveObjects::instance().activeServer()))
   {
     pqOutputPort* port = source->getOutputPort(0);
-    if (port && port != this->Mesh->port() &&
-      port->getDataInformation()->GetArrayInformation(
-        array.toUtf8().constData(), vtkDataObject::CELL))
+    if (port != this->Mesh->port() && camaron::MeshOutput(port).array(array))
     {
       names << source->getSMName();
     }

@@ -113,8 +113,7 @@ pqMeshSelection::pqMeshSelection(
 camaron::SelectionInfo pqMeshSelection::info() const
 {
   camaron::SelectionInfo info;
-  vtkSMSourceProxy* selected =
-    this->Mesh->port() ? this->Mesh->port()->getSelectionInput() : nullptr;
+  vtkSMSourceProxy* selected = this->Mesh->selection();
   if (!this->Mesh->port())
   {
     return info;
@@ -144,15 +143,14 @@ bool pqMeshSelection::selectValues(const QString& array,
   }
   if (ranges.isEmpty() && specials == 0)
   {
-    const bool clears =
-      combination == camaron::Combination::Replace && this->Mesh->port()->getSelectionInput();
+    const bool clears = combination == camaron::Combination::Replace && this->Mesh->selection();
     if (clears)
     {
       this->clear();
     }
     return clears;
   }
-  vtkSMSourceProxy* before = this->Mesh->port()->getSelectionInput();
+  vtkSMSourceProxy* before = this->Mesh->selection();
   if (!before && // nothing to take away from
     (combination == camaron::Combination::Subtract ||
       combination == camaron::Combination::Intersect))
@@ -228,8 +226,7 @@ void pqMeshSelection::clear()
   {
     const pqScopedUndoExclude pause;
     manager->clearSelection();
-    if (this->Mesh->port() &&
-      this->Mesh->port()->getSelectionInput()) // that of a script, which the manager does not know
+    if (this->Mesh->selection()) // that of a script, which the manager does not know
     {
       manager->clearSelection(this->Mesh->port());
     }
@@ -240,7 +237,7 @@ void pqMeshSelection::clear()
 QString pqMeshSelection::exportTo(
   const QString& path, bool onServer, const QString& criterion) const
 {
-  vtkSMSourceProxy* active = this->Mesh->port() ? this->Mesh->port()->getSelectionInput() : nullptr;
+  vtkSMSourceProxy* active = this->Mesh->selection();
   if (!active)
   {
     return tr("Nothing is selected.");
@@ -304,8 +301,7 @@ QString pqMeshSelection::exportTo(
 //------------------------------------------------------------------------------
 void pqMeshSelection::rememberSelection()
 {
-  vtkSMSourceProxy* selected =
-    this->Mesh->port() ? this->Mesh->port()->getSelectionInput() : nullptr;
+  vtkSMSourceProxy* selected = this->Mesh->selection();
   camaron::PastSelection now = std::exchange(this->Brushed, {});
   if (!this->Mesh->isFollowing() || !selected ||
     vtkSMPropertyHelper(selected, "Input").GetNumberOfElements() == 0)
@@ -337,9 +333,8 @@ void pqMeshSelection::rememberSelection()
   const camaron::SelectionInfo info = this->info();
   now.Text = tr("%1: %2 %3")
                .arg(now.Text, camaron::GroupedInteger(info.Count),
-                 info.IsOfPoints     ? (info.Count == 1 ? tr("point") : tr("points"))
-                   : info.Count == 1 ? this->Mesh->element()
-                                     : this->Mesh->elements());
+                 info.IsOfPoints ? (info.Count == 1 ? tr("point") : tr("points"))
+                                 : this->Mesh->elements(info.Count));
   this->Past.prepend(now);
   this->Past = this->Past.mid(0, MostSelections);
   if (isOfView && !info.IsOfPoints && info.Count == 1)
@@ -362,8 +357,7 @@ QStringList pqMeshSelection::past() const
 //------------------------------------------------------------------------------
 camaron::PastSelection pqMeshSelection::active() const
 {
-  vtkSMSourceProxy* selection =
-    this->Mesh->port() ? this->Mesh->port()->getSelectionInput() : nullptr;
+  vtkSMSourceProxy* selection = this->Mesh->selection();
   const auto past = std::find_if(this->Past.cbegin(), this->Past.cend(),
     [selection](const auto& candidate) { return candidate.Selection == selection; });
   return selection && past != this->Past.cend() ? *past : camaron::PastSelection();
@@ -379,8 +373,7 @@ QString pqMeshSelection::last() const
 //------------------------------------------------------------------------------
 QVector<camaron::BrushedValues> pqMeshSelection::brushes() const
 {
-  vtkSMSourceProxy* selection =
-    this->Mesh->port() ? this->Mesh->port()->getSelectionInput() : nullptr;
+  vtkSMSourceProxy* selection = this->Mesh->selection();
   if (selection && camaron::IsResult(selection))
   {
     return { camaron::GetResultValues() };

@@ -153,13 +153,13 @@ void pqMeshSelection::selectBy(const QString& strategy, const QMap<QString, QVar
     this->SelectionBefore = {};
     for (const camaron::PastSelection& past : this->Past)
     { // perhaps of a brush, which traces can express
-      if (past.Selection == this->Mesh->port()->getSelectionInput())
+      if (past.Selection == this->Mesh->selection())
       {
         this->SelectionBefore = past;
       }
     }
     this->SelectionBefore.Port = this->Mesh->port();
-    this->SelectionBefore.Selection = this->Mesh->port()->getSelectionInput();
+    this->SelectionBefore.Selection = this->Mesh->selection();
   }
   this->Filters->addFilter(camaron::SelectName, all);
 }
@@ -342,7 +342,7 @@ QString pqMeshSelection::undoTo(int count)
   }
   else if (left > 0)
   { // perhaps after a selection in the view
-    vtkSMSourceProxy* selected = this->Mesh->port()->getSelectionInput();
+    vtkSMSourceProxy* selected = this->Mesh->selection();
     if (!selected || !camaron::IsResult(selected))
     {
       camaron::ActivateResult(steps.back());
