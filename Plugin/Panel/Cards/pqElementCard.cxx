@@ -197,7 +197,7 @@ void pqElementCard::showElement(qint64 id, const QString& idSpace)
 //------------------------------------------------------------------------------
 void pqElementCard::refresh()
 {
-  PanelTable element;
+  camaron::ElementInfo found;
   if (this->mesh()->meshVersion() != this->WantedIn)
   { // the id is one of another mesh
     this->Wanted.clear();
@@ -206,8 +206,10 @@ void pqElementCard::refresh()
   if (!this->Wanted.isEmpty() && this->mesh()->port())
   {
     const pqScopedOverrideCursor waiting(Qt::WaitCursor);
-    element = this->questions()->elementWithNeighbors(this->Wanted.toLongLong(), this->IdSpace);
+    found = this->questions()->element(this->Wanted.toLongLong(), this->IdSpace,
+      this->state()->userRanges(this->mesh()->elementType()));
   }
+  const PanelTable& element = found.Values;
   const bool isFound = !element.isEmpty();
   this->Table->setVisible(!this->Wanted.isEmpty()); // stays for an id that is not found
   for (QToolButton* tool : { this->Select, this->Copy })
@@ -234,14 +236,8 @@ void pqElementCard::refresh()
   this->Summary->setText(tr("%1 %2: %3 at %4, %5, %6")
       .arg(noun, this->Wanted, camaron::CellTypeName(element.text(0, "CellType")), number("X"),
         number("Y"), number("Z")));
-  const QStringList bad = this->questions()->failing(this->Wanted.toLongLong(), this->IdSpace,
-    this->state()->userRanges(this->mesh()->elementType()));
-  this->Values->setTable(Transpose(element, bad, *this->state()));
-  this->NeighborIds.clear();
-  for (int row = 1; row < element.size(); ++row)
-  {
-    this->NeighborIds << element.text(row, "Id");
-  }
+  this->Values->setTable(Transpose(element, found.Failing, *this->state()));
+  this->NeighborIds = found.Neighbors;
   this->showNeighbors();
 }
 

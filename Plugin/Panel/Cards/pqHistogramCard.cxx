@@ -129,7 +129,7 @@ void pqHistogramCard::refresh()
   if (this->mesh()->elementType() != this->OutlineOf)
   {
     this->OutlineOf = this->mesh()->elementType();
-    this->OutlineSource.clear();
+    this->OutlineSource = nullptr;
   }
   this->fillCriteria();
   this->fillGroups();
@@ -212,7 +212,7 @@ void pqHistogramCard::findEdges()
 void pqHistogramCard::showOutline()
 {
   camaron::HistogramData outline;
-  if (!this->OutlineSource.isEmpty() && this->Shown.Histogram.Edges.size() > 1)
+  if (this->OutlineSource && this->Shown.Histogram.Edges.size() > 1)
   {
     camaron::DistributionRequest request = this->Request;
     request.Range = { this->Shown.Histogram.Edges.front(), this->Shown.Histogram.Edges.back() };

@@ -15,6 +15,10 @@
 #include "InspectedMeshTypes.h"
 #include "pqInspectorCard.h"
 
+#include "pqOutputPort.h" // for a pointer to it
+
+#include <QPointer>
+
 class pqHistogramPlot;
 class pqLimitFields;
 class QComboBox;
@@ -61,7 +65,8 @@ private:
 
   camaron::DistributionRequest Request;
   camaron::Distribution Shown;
-  QString OutlineSource, OutlineOf; // another mesh, and the type of elements it was chosen for
+  QPointer<pqOutputPort> OutlineSource; ///< another mesh
+  QString OutlineOf;                    ///< the type of elements it was chosen for
   bool IsSelecting = false;
   QComboBox* Criterion;
   QComboBox* Group;

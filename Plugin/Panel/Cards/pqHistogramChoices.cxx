@@ -151,21 +151,21 @@ void pqHistogramCard::fillOutlines()
 {
   QMenu* menu = this->Outline->menu();
   menu->clear();
-  const auto add = [&](const QString& label, const QString& source)
+  const auto add = [&](const QString& label, pqOutputPort* source)
   {
     QAction* action = menu->addAction(label);
     action->setCheckable(true);
     action->setChecked(source == this->OutlineSource);
     QObject::connect(action, &QAction::triggered, this,
-      [this, source]
+      [this, source = QPointer<pqOutputPort>(source)]
       {
         this->OutlineSource = source;
         this->showOutline();
       });
   };
-  add(tr("None"), QString());
-  for (const QString& source : this->questions()->otherMeshes(this->state()->criterion()))
+  add(tr("None"), nullptr);
+  for (const auto& [name, port] : this->questions()->otherMeshes(this->state()->criterion()))
   {
-    add(source, source);
+    add(name, port);
   }
 }

@@ -149,8 +149,11 @@ void pqCriterionRangeWidget::compute()
   const pqScopedOverrideCursor waiting(Qt::WaitCursor);
   camaron::DistributionRequest request;
   request.Preset = vtkSMUncheckedPropertyHelper(this->proxy()->GetProperty("Preset")).GetAsString();
-  this->Shown =
-    pqMeshServices::instance()->Questions->distribution(this->input(), this->array(), request);
+  pqOutputPort* port = this->input();
+  const auto found = port
+    ? pqMeshServices::instance()->Questions->distributions({ this->array() }, request, port)
+    : QVector<camaron::Distribution>();
+  this->Shown = found.value(0);
   this->Plot->setData(this->Shown.Histogram);
   this->Compute->hide();
   this->showRange();

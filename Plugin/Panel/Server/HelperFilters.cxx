@@ -36,14 +36,18 @@ Helper HelperFilters::get(const char* group, const char* name, const char* key)
 }
 
 //------------------------------------------------------------------------------
-Helper HelperFilters::filter(
-  const char* name, const char* key, pqOutputPort* input, vtkSMSourceProxy* helper)
+Helper HelperFilters::filter(const char* name, pqOutputPort* input, const char* key)
 {
-  const Helper filter = input || helper ? this->get("filters", name, key) : nullptr;
+  return input ? this->filter(name, input->getSourceProxy(), key, input->getPortNumber()) : nullptr;
+}
+
+//------------------------------------------------------------------------------
+Helper HelperFilters::filter(const char* name, vtkSMSourceProxy* input, const char* key, int port)
+{
+  const Helper filter = input ? this->get("filters", name, key) : nullptr;
   if (filter)
   {
-    vtkSMPropertyHelper(filter, "Input")
-      .Set(helper ? helper : input->getSourceProxy(), helper ? 0 : input->getPortNumber());
+    vtkSMPropertyHelper(filter, "Input").Set(input, port);
   }
   return filter;
 }

@@ -57,9 +57,11 @@ public:
   /// if the server does not know it.
   Helper get(const char* group, const char* name, const char* key = "");
 
-  /// A filter with an output as input, or with that of another helper.
-  Helper filter(
-    const char* name, const char* key, pqOutputPort* input, vtkSMSourceProxy* helper = nullptr);
+  ///@{
+  /// A filter with an output as input, or with the first one of another helper; nullptr without.
+  Helper filter(const char* name, pqOutputPort* input, const char* key = "");
+  Helper filter(const char* name, vtkSMSourceProxy* input, const char* key = "", int port = 0);
+  ///@}
 
   /// Releases all helpers.
   void clear();

@@ -119,6 +119,14 @@ struct Distribution
   qint64 failing() const { return this->JudgedUndefined + this->Below + this->Above; }
 };
 
+/// An element and its neighbors.
+struct ElementInfo
+{
+  PanelTable Values;     ///< a row with all its arrays; empty if there is no such element
+  QStringList Neighbors; ///< ids of those across faces
+  QStringList Failing;   ///< criteria whose acceptable range it violates
+};
+
 /// Counts of cells by type and by defect.
 struct ValidityInfo
 {

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MeshCamera.h"
 
+#include "MarkedElements.h"
 #include "ProxyValues.h"
 #include "pqInspectedMesh.h"
 #include "pqMeshDisplay.h"
-#include "pqMeshQuestions.h"
 
 #include "pqCoreConfiguration.h"
 #include "pqDataRepresentation.h"
@@ -183,7 +183,7 @@ void MeshCamera::flyTo(const Location& location, bool open)
 //------------------------------------------------------------------------------
 void MeshCamera::mark(pqRenderView* view, const Location& location)
 {
-  const Helper target = this->Questions->extracted(location, "Target");
+  const Helper target = ExtractElements(*this->Mesh, location, "Target");
   if (target && this->Mesh->helpers().update(target)) // views do not update it at first
   {
     const QVariant color = GetLook(target, "MarkColor");

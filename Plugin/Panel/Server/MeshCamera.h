@@ -21,7 +21,6 @@
 class pqDataRepresentation;
 class pqInspectedMesh;
 class pqMeshDisplay;
-class pqMeshQuestions;
 class pqOutputPort;
 
 namespace camaron
@@ -31,9 +30,8 @@ class MeshCamera
   Q_DECLARE_TR_FUNCTIONS(MeshCamera)
 
 public:
-  MeshCamera(pqInspectedMesh* mesh, pqMeshQuestions* questions, pqMeshDisplay* display)
+  MeshCamera(pqInspectedMesh* mesh, pqMeshDisplay* display)
     : Mesh(mesh)
-    , Questions(questions)
     , Display(display)
   {
   }
@@ -106,7 +104,6 @@ private:
   ///@}
 
   pqInspectedMesh* Mesh;
-  pqMeshQuestions* Questions;
   pqMeshDisplay* Display;
   QPointer<QVariantAnimation> Animation;
   Place From; // of the flight that is under way

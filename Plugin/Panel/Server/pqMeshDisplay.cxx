@@ -5,6 +5,7 @@
 
 #include "ElementMarker.h"
 #include "LargeSelection.h"
+#include "MarkedElements.h"
 #include "MeshCamera.h"
 #include "MeshColors.h"
 #include "ProxyValues.h"
@@ -67,7 +68,7 @@ public:
 
   Internals(pqInspectedMesh* mesh, pqMeshQuestions* questions, pqMeshDisplay* display)
     : Colors(mesh, questions)
-    , Camera(mesh, questions, display)
+    , Camera(mesh, display)
   {
   }
 
@@ -377,7 +378,8 @@ void pqMeshDisplay::showSelection()
   const auto brushes = isDrawn && this->isInspected() && this->value("DrawWith").toInt() == 0
     ? this->Selection->brushes()
     : QVector<camaron::BrushedValues>();
-  const qint64 number = brushes.isEmpty() ? 0 : this->Questions->count("Current", "Cells");
+  const qint64 number =
+    brushes.isEmpty() ? 0 : camaron::CountElements(*this->Mesh, "Current", "Cells");
   if (number > camaron::LargeSelection::Least)
   {
     this->Internal->Emphasized.show(shown, selection, brushes);

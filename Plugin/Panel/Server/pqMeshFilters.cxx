@@ -133,8 +133,9 @@ pqMeshFilters::pqMeshFilters(pqInspectedMesh* mesh, pqMeshQuestions* questions, 
 //------------------------------------------------------------------------------
 double pqMeshFilters::estimatedSeconds(const QStringList& names) const
 {
-  const camaron::Helper quality =
-    names.isEmpty() ? nullptr : this->Questions->cellsHelper("ElementQuality", "Estimate");
+  const camaron::Helper quality = names.isEmpty()
+    ? nullptr
+    : this->Mesh->helpers().filter("ElementQuality", this->Mesh->cellsPort(), "Estimate");
   if (!quality)
   {
     return 0;

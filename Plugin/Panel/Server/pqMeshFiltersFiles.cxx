@@ -217,7 +217,8 @@ QString pqMeshFilters::writeText(const QString& path, const QByteArray& content)
 //------------------------------------------------------------------------------
 QString pqMeshFilters::saveTables(const QString& path) const
 {
-  const camaron::Helper statistics = this->Questions->filterHelper("QualityStatistics", "Files");
+  const camaron::Helper statistics =
+    this->Mesh->helpers().filter("QualityStatistics", this->Mesh->port(), "Files");
   if (!statistics)
   {
     return tr("There is no mesh.");

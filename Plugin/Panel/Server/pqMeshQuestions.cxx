@@ -3,7 +3,7 @@
 // The server's tables of criteria and presets, and what the client knows of the data.
 #include "pqMeshQuestions.h"
 
-#include "CellTypeNames.h"
+#include "MarkedElements.h"
 #include "pqInspectedMesh.h"
 
 #include "pqActiveObjects.h"
@@ -15,8 +15,6 @@
 #include "vtkPVArrayInformation.h"
 #include "vtkPVDataInformation.h"
 #include "vtkPVDataSetAttributesInformation.h"
-
-#include <QRegularExpression>
 
 #include <algorithm>
 #include <cmath>
@@ -174,53 +172,6 @@ const QVector<camaron::PresetInfo>& pqMeshQuestions::presets() const
 }
 
 //------------------------------------------------------------------------------
-QMap<QString, QString> pqMeshQuestions::unfitPresets() const
-{
-  const QStringList present = this->shapes();
-  static const QRegularExpression order("Quadratic|Cubic|HigherOrder|Lagrange|Bezier|Parametric");
-  const auto types = this->countGroups("CellFamilyId", "Cell type");
-  const bool isLinear = !present.isEmpty() &&
-    std::none_of(
-      types.begin(), types.end(), [](const auto& type) { return type.Name.contains(order); });
-  // The size of a cell says nothing about its shape.
-  const QStringList sizes = { "Area", "Volume" };
-  const auto fits = [&](const QString& criterion, const QString& shapes)
-  {
-    const camaron::CriterionInfo* info = this->criterion(criterion);
-    return info && !sizes.contains(criterion) &&
-      std::any_of(present.begin(), present.end(),
-        [&](const QString& shape)
-        {
-          return camaron::IsAmong(shape, info->AppliesTo) &&
-            (shapes.isEmpty() || camaron::IsAmong(shape, shapes));
-        });
-  };
-  const auto isCurved = [&](const QString& criterion)
-  {
-    const camaron::CriterionInfo* info = this->criterion(criterion);
-    return info && info->IsCurved;
-  };
-  QMap<QString, QString> unfit;
-  for (const camaron::PresetInfo& preset : this->presets())
-  {
-    bool isFit = present.isEmpty();
-    for (int i = 0; i < preset.Criteria.size(); ++i)
-    {
-      isFit = isFit || fits(preset.Criteria[i], preset.Shapes[i]);
-    }
-    if (!isFit)
-    {
-      unfit[preset.Name] = tr("Not for the cells of this mesh");
-    }
-    else if (isLinear && std::all_of(preset.Criteria.begin(), preset.Criteria.end(), isCurved))
-    {
-      unfit[preset.Name] = tr("Only for cells of second or higher order");
-    }
-  }
-  return unfit;
-}
-
-//------------------------------------------------------------------------------
 camaron::MeshSummary pqMeshQuestions::summary() const
 {
   if (this->Summary)
@@ -237,8 +188,10 @@ camaron::MeshSummary pqMeshQuestions::summary() const
     summary.Step = this->Mesh->port()->getSource()->getSMName();
     summary.Step = summary.Step == summary.Name ? QString() : summary.Step;
     const bool hasGhosts = this->Mesh->cellArrays().contains("vtkGhostType");
-    summary.Cells = hasGhosts ? this->count("All", "Cells") : information->GetNumberOfCells();
-    summary.Points = hasGhosts ? this->count("All", "Points") : information->GetNumberOfPoints();
+    summary.Cells = hasGhosts ? camaron::CountElements(*this->Mesh, "All", "Cells")
+                              : information->GetNumberOfCells();
+    summary.Points = hasGhosts ? camaron::CountElements(*this->Mesh, "All", "Points")
+                               : information->GetNumberOfPoints();
     summary.Memory = information->GetMemorySize();
     summary.Blocks = information->IsCompositeDataSet()
       ? static_cast<qint64>(information->GetNumberOfDataSets())

@@ -4,8 +4,7 @@
  * @class pqMeshQuestions
  * @brief What the Mesh Inspector asks the server about the mesh: criteria, tables, verdicts.
  *
- * Answers are tables of at most a few thousand rows, which the server's filters compute. These
- * filters stay unregistered, so states and traces contain what the user created.
+ * Answers are tables of at most a few thousand rows, computed by camaron::HelperFilters.
  *
  * Calls that compute block the window as ParaView's Apply does, with its progress bar. They are
  * made on request of the user, or by themselves for small meshes, see MeshOutput::isSmall().
@@ -13,7 +12,6 @@
 #ifndef pqMeshQuestions_h
 #define pqMeshQuestions_h
 
-#include "HelperFilters.h"
 #include "InspectedMeshTypes.h"
 
 #include <QMap>
@@ -23,7 +21,6 @@
 
 class pqInspectedMesh;
 class pqOutputPort;
-class vtkSMSourceProxy;
 
 class pqMeshQuestions : public QObject
 {
@@ -43,8 +40,7 @@ public:
   /// The worst criterion of this mesh according to Element Quality, else the first criterion.
   QString worstCriterion() const;
 
-  /// One-component cell arrays that are no criteria, such as a temperature: histograms show them,
-  /// too.
+  /// One-component cell arrays that are no criteria, such as a temperature, for histograms.
   QStringList otherArrays() const;
 
   /// One-component cell arrays of categories, such as Material: whole numbers but neither ids nor
@@ -68,17 +64,13 @@ public:
 
   /// @name Tables
   ///@{
-  /// Statistics and histograms of arrays of the mesh or of another one, in their order; missing
-  /// arrays are left out.
+  /// Statistics and histograms of arrays of the mesh, in their order, without missing ones; or of
+  /// another mesh, also if the panel is hidden.
   QVector<camaron::Distribution> distributions(const QStringList& arrays,
-    const camaron::DistributionRequest& request, const QString& otherMesh = QString()) const;
+    const camaron::DistributionRequest& request, pqOutputPort* other = nullptr) const;
 
-  /// The same for an array of any output, also if the panel is hidden.
-  camaron::Distribution distribution(
-    pqOutputPort* port, const QString& array, const camaron::DistributionRequest& request) const;
-
-  /// Names of other sources that have the array.
-  QStringList otherMeshes(const QString& array) const;
+  /// Other meshes that have the array, and their names.
+  QVector<QPair<QString, pqOutputPort*>> otherMeshes(const QString& array) const;
 
   /// The worst cells of a criterion, as in table 2 of Quality Statistics.
   camaron::PanelTable worst(const QString& array, int number) const;
@@ -87,18 +79,11 @@ public:
   camaron::PanelTable regions(
     const QString& array, int number, const camaron::Limits& limits) const;
 
-  /// The cell with an id and all its arrays, then its neighbors across faces.
-  camaron::PanelTable elementWithNeighbors(qint64 id, const QString& idSpace) const;
-
-  /// Criteria whose acceptable range a cell violates.
-  QStringList failing(qint64 id, const QString& idSpace, const QStringList& ranges) const;
+  /// The element with an id, judged by acceptable ranges or, as lines, by those of the user.
+  camaron::ElementInfo element(qint64 id, const QString& idSpace, const QStringList& ranges) const;
 
   /// Where an element is; not finite if there is no such element, or its points are not finite.
   camaron::Location locate(qint64 id, const QString& idSpace) const;
-
-  /// The shapes of the cells by their topology, as types of VTK such as "Hexahedron", also for
-  /// polyhedra that have it.
-  QStringList shapes() const;
 
   /// Whether all cells of a small mesh are polygons: neighbors share edges then.
   bool isSurface() const;
@@ -117,27 +102,6 @@ public:
   QString selectedId() const;
   ///@}
 
-  /// @name Filters that answer questions of others
-  ///@{
-  /// A filter with the mesh or an output of another helper as input; the key as for HelperFilters.
-  camaron::Helper filterHelper(
-    const char* name, const char* key = "", vtkSMSourceProxy* input = nullptr) const;
-
-  /// The same with the cells before the steps of selection as input, so that a step computes
-  /// nothing again.
-  camaron::Helper cellsHelper(const char* name, const char* key = "") const;
-
-  /// Select Elements that marks "Cells" or "Points" in the array Selected: with the strategy
-  /// "Current", those of the active selection; nullptr without a mesh.
-  camaron::Helper marked(const QString& strategy, const QString& elements) const;
-
-  /// Number of elements that a strategy marks, without ghosts.
-  qint64 count(const QString& strategy, const QString& elements) const;
-
-  /// The elements of a location.
-  camaron::Helper extracted(const camaron::Location& location, const char* key) const;
-  ///@}
-
 Q_SIGNALS:
   /// The registry of another server.
   void registryChanged();
@@ -145,15 +109,6 @@ Q_SIGNALS:
 private:
   /// An output of the server's Criteria Table.
   const camaron::PanelTable& registry(int port) const;
-
-  /// What Quality Statistics computes for a request.
-  QVector<camaron::Distribution> fetchDistributions(vtkSMSourceProxy* statistics,
-    const QStringList& arrays, const camaron::DistributionRequest& request, bool hasWeights) const;
-
-  /// Cells by "Cell type", or by the value of a criterion ("Cell array"), which is evaluated for
-  /// this if the mesh lacks it.
-  QVector<camaron::ValidityInfo::NamedCount> countGroups(
-    const QString& array, const QString& groupBy) const;
 
   pqInspectedMesh* Mesh;
   mutable std::optional<camaron::MeshSummary> Summary; // of the data so far

@@ -5,6 +5,7 @@
 
 #include "CellTypeNames.h"
 #include "ErrorMessages.h"
+#include "MarkedElements.h"
 #include "ProxyValues.h"
 #include "ThresholdSelection.h"
 #include "pqInspectedMesh.h"
@@ -18,6 +19,8 @@
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMSessionProxyManager.h"
 #include "vtkSMSourceProxy.h"
+
+#include <QRegularExpression>
 
 #include <algorithm>
 #include <iterator>
@@ -47,23 +50,26 @@ PanelTable GetProblems(vtkSMSourceProxy* check)
   }
   return problems;
 }
-}
 
 //------------------------------------------------------------------------------
-QVector<camaron::ValidityInfo::NamedCount> pqMeshQuestions::countGroups(
-  const QString& array, const QString& groupBy) const
+// Cells by "Cell type", or by the value of a criterion ("Cell array"), which is evaluated for this
+// if the mesh lacks it.
+QVector<camaron::ValidityInfo::NamedCount> CountGroups(
+  const pqInspectedMesh& mesh, const QString& array, const QString& groupBy)
 {
-  const bool isEvaluated = this->Mesh->cellArrays().contains(array);
-  const camaron::Helper quality =
-    isEvaluated ? nullptr : this->cellsHelper("ElementQuality", array.toLatin1());
+  const bool isEvaluated = mesh.cellArrays().contains(array);
+  const camaron::Helper quality = isEvaluated
+    ? nullptr
+    : mesh.helpers().filter("ElementQuality", mesh.cellsPort(), array.toLatin1());
   if (quality)
   {
     camaron::SetProperties(quality, { { "Criteria", QVariantList{ array, "1" } } });
   }
   // One filter for each grouping, which answers again without computing.
   const QByteArray key = (array + groupBy).toLatin1();
-  const camaron::Helper statistics = quality ? this->filterHelper("QualityStatistics", key, quality)
-                                             : this->cellsHelper("QualityStatistics", key);
+  const camaron::Helper statistics = quality
+    ? mesh.helpers().filter("QualityStatistics", quality, key)
+    : mesh.helpers().filter("QualityStatistics", mesh.cellsPort(), key);
   if (!statistics)
   {
     return {};
@@ -71,7 +77,7 @@ QVector<camaron::ValidityInfo::NamedCount> pqMeshQuestions::countGroups(
   camaron::SetProperties(statistics,
     { { "Arrays", array }, { "NumberOfBins", 1 }, { "NumberOfWorst", 0 }, { "GroupBy", groupBy },
       { "GroupArray", array } });
-  const PanelTable table = this->Mesh->helpers().fetch(statistics, 0);
+  const PanelTable table = mesh.helpers().fetch(statistics, 0);
   QVector<camaron::ValidityInfo::NamedCount> groups;
   for (int row = 0; row < table.size(); ++row)
   {
@@ -87,11 +93,28 @@ QVector<camaron::ValidityInfo::NamedCount> pqMeshQuestions::countGroups(
 }
 
 //------------------------------------------------------------------------------
+// The shapes of the cells by their topology, as types of VTK such as "Hexahedron", also for
+// polyhedra that have it.
+QStringList FindShapes(const pqInspectedMesh& mesh)
+{
+  static const QMap<QString, QString> names = { { "5", "Triangle" }, { "7", "Polygon" },
+    { "9", "Quad" }, { "10", "Tetra" }, { "12", "Hexahedron" }, { "13", "Wedge" },
+    { "14", "Pyramid" }, { "42", "Polyhedron" } }; // VTK's types for the families
+  QStringList shapes;
+  for (const auto& family : CountGroups(mesh, "CellFamilyId", "Cell array"))
+  {
+    shapes += names.contains(family.Name) ? QStringList(names[family.Name]) : QStringList();
+  }
+  return shapes;
+}
+}
+
+//------------------------------------------------------------------------------
 camaron::ValidityInfo pqMeshQuestions::validity() const
 {
   camaron::ValidityInfo info;
-  info.Types = this->countGroups("CellStatus", "Cell type");
-  const auto values = this->countGroups("CellStatus", "Cell array");
+  info.Types = CountGroups(*this->Mesh, "CellStatus", "Cell type");
+  const auto values = CountGroups(*this->Mesh, "CellStatus", "Cell array");
   const PanelTable& bits = this->statusBits();
   for (int row = 0; row < bits.size(); ++row)
   {
@@ -110,23 +133,9 @@ camaron::ValidityInfo pqMeshQuestions::validity() const
 }
 
 //------------------------------------------------------------------------------
-QStringList pqMeshQuestions::shapes() const
-{
-  static const QMap<QString, QString> names = { { "5", "Triangle" }, { "7", "Polygon" },
-    { "9", "Quad" }, { "10", "Tetra" }, { "12", "Hexahedron" }, { "13", "Wedge" },
-    { "14", "Pyramid" }, { "42", "Polyhedron" } }; // VTK's types for the families
-  QStringList shapes;
-  for (const auto& family : this->countGroups("CellFamilyId", "Cell array"))
-  {
-    shapes += names.contains(family.Name) ? QStringList(names[family.Name]) : QStringList();
-  }
-  return shapes;
-}
-
-//------------------------------------------------------------------------------
 bool pqMeshQuestions::isSurface() const
 {
-  const QStringList present = this->Mesh->isSmall() ? this->shapes() : QStringList();
+  const QStringList present = this->Mesh->isSmall() ? FindShapes(*this->Mesh) : QStringList();
   const QStringList polygons = { "Triangle", "Quad", "Polygon" };
   return !present.isEmpty() &&
     std::all_of(present.begin(), present.end(),
@@ -134,31 +143,50 @@ bool pqMeshQuestions::isSurface() const
 }
 
 //------------------------------------------------------------------------------
-camaron::PanelTable pqMeshQuestions::elementWithNeighbors(qint64 id, const QString& idSpace) const
+QMap<QString, QString> pqMeshQuestions::unfitPresets() const
 {
-  const camaron::Helper one = this->filterHelper(camaron::SelectName, "Element");
-  if (!one)
+  const QStringList present = FindShapes(*this->Mesh);
+  static const QRegularExpression order("Quadratic|Cubic|HigherOrder|Lagrange|Bezier|Parametric");
+  const auto types = CountGroups(*this->Mesh, "CellFamilyId", "Cell type");
+  const bool isLinear = !present.isEmpty() &&
+    std::none_of(
+      types.begin(), types.end(), [](const auto& type) { return type.Name.contains(order); });
+  // The size of a cell says nothing about its shape.
+  const QStringList sizes = { "Area", "Volume" };
+  const auto fits = [&](const QString& criterion, const QString& shapes)
   {
-    return {};
-  }
-  camaron::SetProperties(one,
-    { { "Strategy", "By id" }, { "Ids", QString::number(id) }, { "IdSpace", idSpace },
-      { "Quiet", 1 } }); // an id that does not exist is told in the card
-  const camaron::Helper layer = this->filterHelper(camaron::SelectName, "Neighbors", one);
-  const QString adjacency = this->Mesh->elementType() == "Edge" ? "Vertex" : "Face";
-  camaron::SetProperties(layer, { { "Strategy", "Expand" }, { "Adjacency", adjacency } });
-  PanelTable rows =
-    this->Mesh->helpers().fetch(this->filterHelper("SelectionTable", "Element", one), 0, true);
-  const PanelTable neighbors =
-    this->Mesh->helpers().fetch(this->filterHelper("SelectionTable", "Neighbors", layer), 0, true);
-  for (int row = 0; row < neighbors.size(); ++row)
+    const camaron::CriterionInfo* info = this->criterion(criterion);
+    return info && !sizes.contains(criterion) &&
+      std::any_of(present.begin(), present.end(),
+        [&](const QString& shape)
+        {
+          return camaron::IsAmong(shape, info->AppliesTo) &&
+            (shapes.isEmpty() || camaron::IsAmong(shape, shapes));
+        });
+  };
+  const auto isCurved = [&](const QString& criterion)
   {
-    if (neighbors.integer(row, "Id") != rows.integer(0, "Id"))
+    const camaron::CriterionInfo* info = this->criterion(criterion);
+    return info && info->IsCurved;
+  };
+  QMap<QString, QString> unfit;
+  for (const camaron::PresetInfo& preset : this->presets())
+  {
+    bool isFit = present.isEmpty();
+    for (int i = 0; i < preset.Criteria.size(); ++i)
     {
-      rows.append({ neighbors.Columns, { neighbors.Rows[row] } });
+      isFit = isFit || fits(preset.Criteria[i], preset.Shapes[i]);
+    }
+    if (!isFit)
+    {
+      unfit[preset.Name] = tr("Not for the cells of this mesh");
+    }
+    else if (isLinear && std::all_of(preset.Criteria.begin(), preset.Criteria.end(), isCurved))
+    {
+      unfit[preset.Name] = tr("Only for cells of second or higher order");
     }
   }
-  return rows;
+  return unfit;
 }
 
 //------------------------------------------------------------------------------
@@ -169,7 +197,7 @@ camaron::Location pqMeshQuestions::locate(qint64 id, const QString& idSpace) con
   location.IdSpace = idSpace;
   std::fill(std::begin(location.Center), std::end(location.Center),
     std::numeric_limits<double>::quiet_NaN());
-  const camaron::Helper element = this->extracted(location, "Target");
+  const camaron::Helper element = camaron::ExtractElements(*this->Mesh, location, "Target");
   if (element && this->Mesh->helpers().update(element))
   {
     const vtkBoundingBox box(element->GetDataInformation(0)->GetBounds());
@@ -185,42 +213,19 @@ camaron::Location pqMeshQuestions::locate(qint64 id, const QString& idSpace) con
 //------------------------------------------------------------------------------
 QString pqMeshQuestions::selectedId() const
 {
-  const camaron::Helper selected = this->marked("Current", "Cells");
-  return selected ? this->Mesh->helpers()
-                      .fetch(this->filterHelper("SelectionTable", "Picked", selected), 0, true)
-                      .text(0, "Id")
-                  : QString();
-}
-
-//------------------------------------------------------------------------------
-QStringList pqMeshQuestions::failing(
-  qint64 id, const QString& idSpace, const QStringList& ranges) const
-{
-  camaron::Location location;
-  location.Id = QString::number(id);
-  location.IdSpace = idSpace;
-  const camaron::Helper element = this->extracted(location, "Judged");
-  const camaron::Helper statistics = this->filterHelper("QualityStatistics", "Judged", element);
-  camaron::DistributionRequest request;
-  request.Bins = 1;
-  request.Ranges = ranges;
-  QStringList names;
-  if (element && statistics)
-  {
-    for (const camaron::Distribution& judged :
-      this->fetchDistributions(statistics, this->evaluated(), request, false))
-    {
-      names += judged.failing() > 0 ? QStringList(judged.Array) : QStringList();
-    }
-  }
-  return names;
+  camaron::HelperFilters& helpers = this->Mesh->helpers();
+  const camaron::Helper selected = camaron::MarkElements(*this->Mesh, "Current", "Cells");
+  return selected
+    ? helpers.fetch(helpers.filter("SelectionTable", selected, "Picked"), 0, true).text(0, "Id")
+    : QString();
 }
 
 //------------------------------------------------------------------------------
 camaron::PanelTable pqMeshQuestions::regions(
   const QString& array, int number, const camaron::Limits& limits) const
 {
-  const camaron::Helper regions = this->cellsHelper("QualityRegions");
+  const camaron::Helper regions =
+    this->Mesh->helpers().filter("QualityRegions", this->Mesh->cellsPort());
   if (!regions)
   {
     return {};
@@ -235,7 +240,8 @@ camaron::PanelTable pqMeshQuestions::regions(
 camaron::CheckResult pqMeshQuestions::check(const camaron::CheckRequest& request) const
 {
   camaron::CheckResult result;
-  const camaron::Helper check = this->cellsHelper("CheckQuality");
+  const camaron::Helper check =
+    this->Mesh->helpers().filter("CheckQuality", this->Mesh->cellsPort());
   if (!check)
   {
     return result;
@@ -283,64 +289,4 @@ QMap<QString, QVariant> pqMeshQuestions::evaluationOptions() const
     options[name] = camaron::GetProperty(proxy, name);
   }
   return options;
-}
-
-//------------------------------------------------------------------------------
-camaron::Helper pqMeshQuestions::marked(const QString& strategy, const QString& elements) const
-{
-  // One for each, which marks again without computing.
-  const QByteArray key = "Marked" + (strategy + elements).toLatin1();
-  const camaron::Helper select = this->filterHelper(camaron::SelectName, key);
-  if (select)
-  {
-    camaron::SetProperty(select, "Strategy", strategy);
-    camaron::SetProperty(select, "ElementType", elements);
-    vtkSMPropertyHelper input(select, "Selection");
-    vtkSMSourceProxy* selection = this->Mesh->selection();
-    if (input.GetAsProxy() != selection) // else the filter would mark them once more
-    {
-      input.RemoveAllValues();
-      if (selection)
-      {
-        input.Set(selection, 0);
-      }
-    }
-    select->UpdateVTKObjects();
-  }
-  return select;
-}
-
-//------------------------------------------------------------------------------
-qint64 pqMeshQuestions::count(const QString& strategy, const QString& elements) const
-{
-  const camaron::Helper select = this->marked(strategy, elements);
-  if (!select || !this->Mesh->helpers().update(select))
-  {
-    return 0;
-  }
-  vtkSMProperty* number = select->GetProperty("NumberOfSelectedElements");
-  camaron::UpdateInformation(select, number);
-  return vtkSMPropertyHelper(number).GetAsIdType();
-}
-
-//------------------------------------------------------------------------------
-camaron::Helper pqMeshQuestions::extracted(const camaron::Location& location, const char* key) const
-{
-  const camaron::Helper selected = this->cellsHelper(camaron::SelectName, key);
-  const camaron::Helper extraction = this->cellsHelper("ExtractSelection", key);
-  if (!selected || !extraction)
-  {
-    return nullptr;
-  }
-  const bool isOfPlace = !location.GroupArray.isEmpty();
-  QMap<QString, QVariant> properties = isOfPlace
-    ? camaron::GrowToPlace(location.GroupArray, location.GroupLimits)
-    : QMap<QString, QVariant>();
-  properties["Strategy"] = QString(isOfPlace ? "Connected to ids" : "By id");
-  properties["Ids"] = location.Id;
-  properties["IdSpace"] = location.IdSpace;
-  camaron::SetProperties(selected, properties);
-  vtkSMPropertyHelper(extraction, "Selection").Set(selected, 1);
-  extraction->UpdateVTKObjects();
-  return extraction;
 }

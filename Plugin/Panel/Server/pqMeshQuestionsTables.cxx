@@ -4,6 +4,7 @@
 #include "pqMeshQuestions.h"
 
 #include "CellTypeNames.h"
+#include "MarkedElements.h"
 #include "ProxyValues.h"
 #include "pqInspectedMesh.h"
 
@@ -26,21 +27,6 @@
 namespace
 {
 using camaron::PanelTable;
-
-//------------------------------------------------------------------------------
-// nullptr for an empty name. The same name may exist on several servers.
-pqPipelineSource* FindSource(const QString& name, pqServer* server)
-{
-  auto* model = pqApplicationCore::instance()->getServerManagerModel();
-  for (auto* source : model->findItems<pqPipelineSource*>(server))
-  {
-    if (source->getSMName() == name)
-    {
-      return source;
-    }
-  }
-  return nullptr;
-}
 
 //------------------------------------------------------------------------------
 // The properties of Quality Statistics for a request.
@@ -142,99 +128,20 @@ void LeaveOthers(std::vector<camaron::HistogramData::Group>& groups, const QStri
     groups.pop_back();
   }
 }
-}
 
 //------------------------------------------------------------------------------
-camaron::Helper pqMeshQuestions::filterHelper(
-  const char* name, const char* key, vtkSMSourceProxy* input) const
-{
-  return this->Mesh->port() ? this->Mesh->helpers().filter(name, key, this->Mesh->port(), input)
-                            : nullptr;
-}
-
-//------------------------------------------------------------------------------
-camaron::Helper pqMeshQuestions::cellsHelper(const char* name, const char* key) const
-{
-  return this->Mesh->cellsPort() ? this->Mesh->helpers().filter(name, key, this->Mesh->cellsPort())
-                                 : nullptr;
-}
-
-//------------------------------------------------------------------------------
-QStringList pqMeshQuestions::otherMeshes(const QString& array) const
-{
-  QStringList names;
-  auto* model = pqApplicationCore::instance()->getServerManagerModel();
-  for (auto* source :
-    model->findItems<pqPipelineSource*>(pqActiveObjects::instance().activeServer()))
-  {
-    pqOutputPort* port = source->getOutputPort(0);
-    if (port != this->Mesh->port() && camaron::MeshOutput(port).array(array))
-    {
-      names << source->getSMName();
-    }
-  }
-  return names;
-}
-
-//------------------------------------------------------------------------------
-QVector<camaron::Distribution> pqMeshQuestions::distributions(const QStringList& arrays,
-  const camaron::DistributionRequest& request, const QString& otherMesh) const
-{
-  pqPipelineSource* other = FindSource(otherMesh, this->Mesh->server());
-  QStringList present = arrays;
-  if (!other)
-  {
-    const QStringList known = this->Mesh->cellArrays();
-    present.removeIf([&](const QString& array) { return !known.contains(array); });
-  }
-  if (present.isEmpty() || (!otherMesh.isEmpty() && !other))
-  {
-    return {};
-  }
-  constexpr const char* name = "QualityStatistics";
-  // One filter for each kind of request, which answers again without computing.
-  const camaron::Helper statistics = other
-    ? this->filterHelper(name, "Outline", other->getSourceProxy())
-    : request.CountsSelected
-    ? this->filterHelper(name, "Selected", this->marked("Current", "Cells"))
-    : request.GroupBy == "Cell array" ? this->filterHelper(name, "Groups") // perhaps of a step
-    : present.size() > 1              ? this->cellsHelper(name, "All")
-    : request.Bins == 1               ? this->cellsHelper(name, "NoBins")
-    : request.CurveValues.isEmpty()   ? this->cellsHelper(name, "One")
-                                      : this->cellsHelper(name, "Curve");
-  if (!statistics)
-  {
-    return {};
-  }
-  const bool hasWeights =
-    !other && !request.CountsSelected && this->Mesh->cellArrays().contains("Volume");
-  return this->fetchDistributions(statistics, present, request, hasWeights);
-}
-
-//------------------------------------------------------------------------------
-camaron::Distribution pqMeshQuestions::distribution(
-  pqOutputPort* port, const QString& array, const camaron::DistributionRequest& request) const
-{
-  const camaron::Helper statistics =
-    port ? this->Mesh->helpers().filter("QualityStatistics", "Other", port) : nullptr;
-  if (!statistics)
-  {
-    return {};
-  }
-  return this->fetchDistributions(statistics, { array }, request, false).value(0);
-}
-
-//------------------------------------------------------------------------------
-QVector<camaron::Distribution> pqMeshQuestions::fetchDistributions(vtkSMSourceProxy* statistics,
-  const QStringList& arrays, const camaron::DistributionRequest& request, bool hasWeights) const
+// What Quality Statistics computes for a request.
+QVector<camaron::Distribution> FetchDistributions(const pqInspectedMesh& mesh,
+  vtkSMSourceProxy* statistics, const QStringList& arrays,
+  const camaron::DistributionRequest& request, bool hasWeights)
 {
   QVector<camaron::Distribution> results;
   QMap<QString, QVariant> properties = ToProperties(arrays, request);
   properties["WeightArray"] = QString(hasWeights ? "Volume" : "");
   camaron::SetProperties(statistics, properties);
-  const PanelTable rows = this->Mesh->helpers().fetch(statistics, 0);
-  const PanelTable bins = this->Mesh->helpers().fetch(statistics, 1);
-  const PanelTable curve = this->Mesh->helpers().fetch(statistics, 3);
+  const PanelTable rows = mesh.helpers().fetch(statistics, 0);
+  const PanelTable bins = mesh.helpers().fetch(statistics, 1);
+  const PanelTable curve = mesh.helpers().fetch(statistics, 3);
   for (int row = 0; row < rows.size(); ++row)
   {
     const bool isNew = results.isEmpty() || results.back().Array != rows.text(row, "Criterion");
@@ -266,7 +173,7 @@ QVector<camaron::Distribution> pqMeshQuestions::fetchDistributions(vtkSMSourcePr
     }
     if (groups.size() > 1)
     {
-      LeaveOthers(groups, this->Mesh->elements());
+      LeaveOthers(groups, mesh.elements());
     }
     for (int row = 0; row < curve.size(); ++row)
     {
@@ -287,11 +194,66 @@ QVector<camaron::Distribution> pqMeshQuestions::fetchDistributions(vtkSMSourcePr
   }
   return results;
 }
+}
+
+//------------------------------------------------------------------------------
+QVector<QPair<QString, pqOutputPort*>> pqMeshQuestions::otherMeshes(const QString& array) const
+{
+  QVector<QPair<QString, pqOutputPort*>> meshes;
+  auto* model = pqApplicationCore::instance()->getServerManagerModel();
+  for (auto* source :
+    model->findItems<pqPipelineSource*>(pqActiveObjects::instance().activeServer()))
+  {
+    pqOutputPort* port = source->getOutputPort(0);
+    if (port != this->Mesh->port() && camaron::MeshOutput(port).array(array))
+    {
+      meshes << qMakePair(source->getSMName(), port);
+    }
+  }
+  return meshes;
+}
+
+//------------------------------------------------------------------------------
+QVector<camaron::Distribution> pqMeshQuestions::distributions(
+  const QStringList& arrays, const camaron::DistributionRequest& request, pqOutputPort* other) const
+{
+  QStringList present = arrays;
+  if (!other)
+  {
+    const QStringList known = this->Mesh->cellArrays();
+    present.removeIf([&](const QString& array) { return !known.contains(array); });
+  }
+  if (present.isEmpty())
+  {
+    return {};
+  }
+  constexpr const char* name = "QualityStatistics";
+  // One filter for each kind of request, which answers again without computing.
+  camaron::HelperFilters& helpers = this->Mesh->helpers();
+  pqOutputPort* cells = this->Mesh->cellsPort();
+  const camaron::Helper statistics = other ? helpers.filter(name, other, "Other")
+    : request.CountsSelected
+    ? helpers.filter(name, camaron::MarkElements(*this->Mesh, "Current", "Cells"), "Selected")
+    : request.GroupBy == "Cell array"
+    ? helpers.filter(name, this->Mesh->port(), "Groups") // perhaps of a step
+    : present.size() > 1            ? helpers.filter(name, cells, "All")
+    : request.Bins == 1             ? helpers.filter(name, cells, "NoBins")
+    : request.CurveValues.isEmpty() ? helpers.filter(name, cells, "One")
+                                    : helpers.filter(name, cells, "Curve");
+  if (!statistics)
+  {
+    return {};
+  }
+  const bool hasWeights =
+    !other && !request.CountsSelected && this->Mesh->cellArrays().contains("Volume");
+  return FetchDistributions(*this->Mesh, statistics, present, request, hasWeights);
+}
 
 //------------------------------------------------------------------------------
 camaron::PanelTable pqMeshQuestions::worst(const QString& array, int number) const
 {
-  const camaron::Helper statistics = this->cellsHelper("QualityStatistics", "Worst");
+  const camaron::Helper statistics =
+    this->Mesh->helpers().filter("QualityStatistics", this->Mesh->cellsPort(), "Worst");
   if (!statistics)
   {
     return {};
@@ -299,4 +261,53 @@ camaron::PanelTable pqMeshQuestions::worst(const QString& array, int number) con
   camaron::SetProperties(
     statistics, { { "Arrays", array }, { "NumberOfWorst", number }, { "NumberOfBins", 1 } });
   return this->Mesh->helpers().fetch(statistics, 2);
+}
+
+//------------------------------------------------------------------------------
+camaron::ElementInfo pqMeshQuestions::element(
+  qint64 id, const QString& idSpace, const QStringList& ranges) const
+{
+  camaron::HelperFilters& helpers = this->Mesh->helpers();
+  camaron::ElementInfo info;
+  const camaron::Helper one = helpers.filter(camaron::SelectName, this->Mesh->port(), "Element");
+  if (!one)
+  {
+    return info;
+  }
+  camaron::Location location;
+  location.Id = QString::number(id);
+  location.IdSpace = idSpace;
+  camaron::SetProperties(one,
+    { { "Strategy", "By id" }, { "Ids", location.Id }, { "IdSpace", idSpace },
+      { "Quiet", 1 } }); // an id that does not exist is told in the card
+  info.Values = helpers.fetch(helpers.filter("SelectionTable", one, "Element"), 0, true);
+  if (info.Values.isEmpty())
+  {
+    return info;
+  }
+  const camaron::Helper layer = helpers.filter(camaron::SelectName, one, "Neighbors");
+  const QString adjacency = this->Mesh->elementType() == "Edge" ? "Vertex" : "Face";
+  camaron::SetProperties(layer, { { "Strategy", "Expand" }, { "Adjacency", adjacency } });
+  const PanelTable neighbors =
+    helpers.fetch(helpers.filter("SelectionTable", layer, "Neighbors"), 0, true);
+  for (int row = 0; row < neighbors.size(); ++row)
+  {
+    if (neighbors.integer(row, "Id") != info.Values.integer(0, "Id"))
+    {
+      info.Neighbors << neighbors.text(row, "Id");
+    }
+  }
+  const camaron::Helper statistics = helpers.filter(
+    "QualityStatistics", camaron::ExtractElements(*this->Mesh, location, "Judged"), "Judged");
+  camaron::DistributionRequest request;
+  request.Bins = 1;
+  request.Ranges = ranges;
+  const auto judged = statistics
+    ? FetchDistributions(*this->Mesh, statistics, this->evaluated(), request, false)
+    : QVector<camaron::Distribution>();
+  for (const camaron::Distribution& criterion : judged)
+  {
+    info.Failing += criterion.failing() > 0 ? QStringList(criterion.Array) : QStringList();
+  }
+  return info;
 }

@@ -3,6 +3,7 @@
 // The active selection of the inspected mesh, and those before it.
 #include "pqMeshSelection.h"
 
+#include "MarkedElements.h"
 #include "NumberText.h"
 #include "ProxyValues.h"
 #include "ThresholdSelection.h"
@@ -127,7 +128,7 @@ camaron::SelectionInfo pqMeshSelection::info() const
   info.IsOfPoints = camaron::IsOfPoints(selected);
   // ParaView's own count would include ghosts.
   const QString elements = info.IsOfPoints ? "Points" : "Cells";
-  info.Count = this->Questions->count("Current", elements);
+  info.Count = camaron::CountElements(*this->Mesh, "Current", elements);
   info.Total = info.IsOfPoints ? summary.Points : summary.Cells;
   return info;
 }
@@ -244,7 +245,7 @@ QString pqMeshSelection::exportTo(
   }
   const bool isOfPoints = this->info().IsOfPoints;
   const camaron::Helper selected =
-    this->Questions->marked("Current", isOfPoints ? "Points" : "Cells");
+    camaron::MarkElements(*this->Mesh, "Current", isOfPoints ? "Points" : "Cells");
   const QFileInfo file(path);
   const QString extension = file.suffix().toLower();
   const bool isSet = extension.isEmpty() && file.dir().dirName() == "sets";
@@ -255,7 +256,7 @@ QString pqMeshSelection::exportTo(
       ? tr("%1: an OpenFOAM set must be in a folder named \"sets\"").arg(path)
       : tr("%1: lists of ids are .txt files").arg(path);
   }
-  const camaron::Helper table = this->Questions->filterHelper("SelectionTable", "Export", selected);
+  const camaron::Helper table = this->Mesh->helpers().filter("SelectionTable", selected, "Export");
   const camaron::CriterionInfo* info = this->Questions->criterion(criterion);
   const bool isSorted = extension == "csv" && !isOfPoints; // points have no values of cells
   camaron::SetProperties(table,
@@ -293,7 +294,8 @@ QString pqMeshSelection::exportTo(
         : ids.isEmpty() ? QByteArray()
                         : (ids.join('\n') + '\n').toUtf8());
   }
-  const camaron::Helper extraction = this->Questions->filterHelper("ExtractSelection", "Export");
+  const camaron::Helper extraction =
+    this->Mesh->helpers().filter("ExtractSelection", this->Mesh->port(), "Export");
   vtkSMPropertyHelper(extraction, "Selection").Set(active, 0);
   return this->Filters->write(extraction, 0, path);
 }
