@@ -6,6 +6,7 @@
 #include "NumberText.h"
 #include "PanelColors.h"
 #include "pqInspectedMesh.h"
+#include "pqMeshFilters.h"
 #include "pqMeshQuestions.h"
 #include "pqMeshSelection.h"
 
@@ -24,7 +25,6 @@
 namespace
 {
 constexpr int MostSteps = 20; // to go back
-constexpr int Present = -1;   // what is selected now, to which one need not go back
 
 //------------------------------------------------------------------------------
 // Shows no more digits than the number has.
@@ -168,20 +168,7 @@ void pqSelectionCard::refresh()
   {
     this->Adjacency->setCurrentIndex(0);
   }
-  QVector<QPair<QString, int>> steps; // and the number of filters to go back to
-  if (!this->selection()->first().isEmpty())
-  {
-    steps << qMakePair(this->selection()->first(), 0);
-  }
-  int filters = 0;
-  for (const QString& step : this->selection()->steps())
-  {
-    steps << qMakePair(step, ++filters);
-  }
-  if (!this->selection()->last().isEmpty())
-  {
-    steps << qMakePair(this->selection()->last(), Present);
-  }
+  const auto steps = this->selection()->steps();
   this->Steps->clear();
   const int count = static_cast<int>(steps.size());
   for (int i = qMax(0, count - MostSteps); i < count; ++i)
@@ -232,7 +219,7 @@ void pqSelectionCard::fillHistory()
 //------------------------------------------------------------------------------
 void pqSelectionCard::goBackTo(int step)
 {
-  if (step != Present)
+  if (step != pqMeshSelection::Present)
   {
     camaron::ShowText(this->Message, this->selection()->undoTo(step).toHtmlEscaped());
   }
@@ -251,7 +238,8 @@ void pqSelectionCard::exportSelection(bool onServer)
   if (!path.isEmpty())
   {
     const pqScopedOverrideCursor waiting(Qt::WaitCursor);
-    const QString error = this->selection()->exportTo(path, onServer, this->state()->criterion());
+    const QString error =
+      this->filters()->exportSelection(path, onServer, this->state()->criterion());
     camaron::ShowText(this->Message, error.isEmpty() ? tr("Written: %1").arg(path) : error);
   }
 }

@@ -69,8 +69,10 @@ public:
   /// Writes a file of the client, but not over one from which the mesh was read; returns an error.
   QString writeText(const QString& path, const QByteArray& content) const;
 
-  /// Writes an output with the server's writer for the extension of a path; returns an error.
-  QString write(vtkSMSourceProxy* source, int port, const QString& path) const;
+  /// Writes the selected elements to a file of the server, ".csv" or any mesh, or of this computer,
+  /// ".txt" or an OpenFOAM set in a folder "sets". Returns an error, empty if written.
+  /// The rows of a table of cells are sorted by a criterion, worst first, or by another array.
+  QString exportSelection(const QString& path, bool onServer, const QString& criterion) const;
 
   /// Writes the report of `camaron inspect` to a folder of this computer, which needs Python.
   /// Returns an error, empty if written.
@@ -86,6 +88,9 @@ Q_SIGNALS:
   void evaluating(double seconds);
 
 private:
+  /// Writes an output with the server's writer for the extension of a path; returns an error.
+  QString write(vtkSMSourceProxy* source, int port, const QString& path) const;
+
   /// The value of the list of arrays of Mesh Elements.
   QVariantList elementTicks(const QStringList& names, const QString& elementType) const;
 

@@ -4,6 +4,7 @@
 #include "pqMeshFilters.h"
 
 #include "ErrorMessages.h"
+#include "MarkedElements.h"
 #include "ProxyValues.h"
 #include "ThresholdSelection.h"
 #include "pqInspectedMesh.h"
@@ -30,6 +31,7 @@
 #include <QFileInfo>
 #include <QSaveFile>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -54,6 +56,19 @@ QString RefuseInput(vtkSMProxy* source, const QString& path)
   return replaced.isEmpty()
     ? QString()
     : pqMeshFilters::tr("%1: the mesh was read from this file: choose another name").arg(path);
+}
+
+//------------------------------------------------------------------------------
+// Contents of an OpenFOAM cellSet or pointSet.
+QByteArray FormatSet(const QStringList& ids, const QString& name, bool isOfPoints)
+{
+  return QString("FoamFile\n{\n    version     2.0;\n    format      ascii;\n"
+                 "    class       %1;\n    location    \"constant/polyMesh/sets\";\n"
+                 "    object      %2;\n}\n\n%3\n(\n%4\n)\n")
+    .arg(isOfPoints ? "pointSet" : "cellSet", name)
+    .arg(ids.size())
+    .arg(ids.join('\n'))
+    .toUtf8();
 }
 
 //------------------------------------------------------------------------------
@@ -243,6 +258,72 @@ QString pqMeshFilters::saveTables(const QString& path) const
     }
   }
   return tr("Written: %1").arg(names.join(", "));
+}
+
+//------------------------------------------------------------------------------
+QString pqMeshFilters::exportSelection(
+  const QString& path, bool onServer, const QString& criterion) const
+{
+  vtkSMSourceProxy* active = this->Mesh->selection();
+  if (!active)
+  {
+    return tr("Nothing is selected.");
+  }
+  const bool isOfPoints = camaron::IsOfPoints(active);
+  const camaron::Helper selected =
+    camaron::MarkElements(*this->Mesh, "Current", isOfPoints ? "Points" : "Cells");
+  const QFileInfo file(path);
+  const QString extension = file.suffix().toLower();
+  const bool isSet = extension.isEmpty() && file.dir().dirName() == "sets";
+  const bool isOfIds = !onServer && (extension == "txt" || isSet);
+  if (!onServer && !isOfIds)
+  {
+    return extension.isEmpty()
+      ? tr("%1: an OpenFOAM set must be in a folder named \"sets\"").arg(path)
+      : tr("%1: lists of ids are .txt files").arg(path);
+  }
+  const camaron::Helper table = this->Mesh->helpers().filter("SelectionTable", selected, "Export");
+  const camaron::CriterionInfo* info = this->Questions->criterion(criterion);
+  const bool isSorted = extension == "csv" && !isOfPoints; // points have no values of cells
+  camaron::SetProperties(table,
+    { { "SortBy", isSorted ? criterion : QString() },
+      { "Descending", info && info->Better < 0 ? 1 : 0 } });
+  if (extension == "csv")
+  {
+    return this->write(table, 0, path);
+  }
+  if (isSet && this->Questions->summary().Blocks > 1) // ids count over all blocks
+  {
+    return tr("%1: a set contains elements of one mesh, and this one has several blocks").arg(path);
+  }
+  if (isSet && this->Mesh->elementType() != "Cell")
+  {
+    return tr("%1: the ids of %2 here are not those of OpenFOAM; sets contain cells or points")
+      .arg(path, this->Mesh->elements());
+  }
+  if (isOfIds)
+  {
+    const camaron::PanelTable rows = this->Mesh->helpers().fetch(table, 0, true);
+    QVector<qint64> numbers;
+    for (int row = 0; row < rows.size(); ++row)
+    {
+      numbers << rows.integer(row, "Id");
+    }
+    std::sort(numbers.begin(), numbers.end());
+    QStringList ids;
+    for (const qint64 id : numbers)
+    {
+      ids << QString::number(id);
+    }
+    return this->writeText(path,
+      isSet             ? FormatSet(ids, file.fileName(), isOfPoints)
+        : ids.isEmpty() ? QByteArray()
+                        : (ids.join('\n') + '\n').toUtf8());
+  }
+  const camaron::Helper extraction =
+    this->Mesh->helpers().filter("ExtractSelection", this->Mesh->port(), "Export");
+  vtkSMPropertyHelper(extraction, "Selection").Set(active, 0);
+  return this->write(extraction, 0, path);
 }
 
 //------------------------------------------------------------------------------

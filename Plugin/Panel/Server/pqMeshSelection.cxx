@@ -21,8 +21,6 @@
 #include "vtkSMSourceProxy.h"
 #include "vtkSMTrace.h"
 
-#include <QDir>
-#include <QFileInfo>
 #include <QTimer>
 
 #include <algorithm>
@@ -33,19 +31,6 @@
 namespace
 {
 constexpr int MostSelections = 20; // in the history
-
-//------------------------------------------------------------------------------
-// Contents of an OpenFOAM cellSet or pointSet.
-QByteArray FormatSet(const QStringList& ids, const QString& name, bool isOfPoints)
-{
-  return QString("FoamFile\n{\n    version     2.0;\n    format      ascii;\n"
-                 "    class       %1;\n    location    \"constant/polyMesh/sets\";\n"
-                 "    object      %2;\n}\n\n%3\n(\n%4\n)\n")
-    .arg(isOfPoints ? "pointSet" : "cellSet", name)
-    .arg(ids.size())
-    .arg(ids.join('\n'))
-    .toUtf8();
-}
 
 //------------------------------------------------------------------------------
 // The properties of a step that are other ones now.
@@ -235,72 +220,6 @@ void pqMeshSelection::clear()
 }
 
 //------------------------------------------------------------------------------
-QString pqMeshSelection::exportTo(
-  const QString& path, bool onServer, const QString& criterion) const
-{
-  vtkSMSourceProxy* active = this->Mesh->selection();
-  if (!active)
-  {
-    return tr("Nothing is selected.");
-  }
-  const bool isOfPoints = this->info().IsOfPoints;
-  const camaron::Helper selected =
-    camaron::MarkElements(*this->Mesh, "Current", isOfPoints ? "Points" : "Cells");
-  const QFileInfo file(path);
-  const QString extension = file.suffix().toLower();
-  const bool isSet = extension.isEmpty() && file.dir().dirName() == "sets";
-  const bool isOfIds = !onServer && (extension == "txt" || isSet);
-  if (!onServer && !isOfIds)
-  {
-    return extension.isEmpty()
-      ? tr("%1: an OpenFOAM set must be in a folder named \"sets\"").arg(path)
-      : tr("%1: lists of ids are .txt files").arg(path);
-  }
-  const camaron::Helper table = this->Mesh->helpers().filter("SelectionTable", selected, "Export");
-  const camaron::CriterionInfo* info = this->Questions->criterion(criterion);
-  const bool isSorted = extension == "csv" && !isOfPoints; // points have no values of cells
-  camaron::SetProperties(table,
-    { { "SortBy", isSorted ? criterion : QString() },
-      { "Descending", info && info->Better < 0 ? 1 : 0 } });
-  if (extension == "csv")
-  {
-    return this->Filters->write(table, 0, path);
-  }
-  if (isSet && this->Questions->summary().Blocks > 1) // ids count over all blocks
-  {
-    return tr("%1: a set contains elements of one mesh, and this one has several blocks").arg(path);
-  }
-  if (isSet && this->Mesh->elementType() != "Cell")
-  {
-    return tr("%1: the ids of %2 here are not those of OpenFOAM; sets contain cells or points")
-      .arg(path, this->Mesh->elements());
-  }
-  if (isOfIds)
-  {
-    const camaron::PanelTable rows = this->Mesh->helpers().fetch(table, 0, true);
-    QVector<qint64> numbers;
-    for (int row = 0; row < rows.size(); ++row)
-    {
-      numbers << rows.integer(row, "Id");
-    }
-    std::sort(numbers.begin(), numbers.end());
-    QStringList ids;
-    for (const qint64 id : numbers)
-    {
-      ids << QString::number(id);
-    }
-    return this->Filters->writeText(path,
-      isSet             ? FormatSet(ids, file.fileName(), isOfPoints)
-        : ids.isEmpty() ? QByteArray()
-                        : (ids.join('\n') + '\n').toUtf8());
-  }
-  const camaron::Helper extraction =
-    this->Mesh->helpers().filter("ExtractSelection", this->Mesh->port(), "Export");
-  vtkSMPropertyHelper(extraction, "Selection").Set(active, 0);
-  return this->Filters->write(extraction, 0, path);
-}
-
-//------------------------------------------------------------------------------
 void pqMeshSelection::rememberSelection()
 {
   vtkSMSourceProxy* selected = this->Mesh->selection();
@@ -329,8 +248,8 @@ void pqMeshSelection::rememberSelection()
   }
   if (now.Text.isEmpty())
   {
-    now.Text = isOfView ? tr("Selected in the view")
-                        : this->describeStep(this->Mesh->port()->getSourceProxy());
+    now.Text =
+      isOfView ? tr("Selected in the view") : this->describeStep(this->Mesh->port()->getSource());
   }
   const camaron::SelectionInfo info = this->info();
   now.Text = tr("%1: %2 %3")
@@ -363,13 +282,6 @@ camaron::PastSelection pqMeshSelection::active() const
   const auto past = std::find_if(this->Past.cbegin(), this->Past.cend(),
     [selection](const auto& candidate) { return candidate.Selection == selection; });
   return selection && past != this->Past.cend() ? *past : camaron::PastSelection();
-}
-
-//------------------------------------------------------------------------------
-QString pqMeshSelection::last() const
-{
-  const camaron::PastSelection active = this->active();
-  return active.Selection && !camaron::IsResult(active.Selection) ? active.Text : QString();
 }
 
 //------------------------------------------------------------------------------

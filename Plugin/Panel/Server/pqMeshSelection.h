@@ -22,7 +22,6 @@ class pqInspectedMesh;
 class pqMeshFilters;
 class pqMeshQuestions;
 class pqPipelineSource;
-class vtkSMProxy;
 
 class pqMeshSelection : public QObject
 {
@@ -55,12 +54,11 @@ public:
   void selectPlaces(const QStringList& ids, const QString& idSpace, const QString& array,
     const camaron::Limits& limits);
 
-  /// The steps of the chain that ends at the mesh, first to last.
-  QStringList steps() const;
-
-  /// What the first of them begins with: a brush, or what was selected in the view; empty if it
-  /// begins anew.
-  QString first() const;
+  /// How the active selection came about: a brush, or what was selected in the view, unless the
+  /// steps begin anew; the steps of the chain that ends at the mesh; and a selection since then.
+  /// With each, the count of steps for undoTo(), or Present for what is selected now.
+  QVector<QPair<QString, int>> steps() const;
+  static constexpr int Present = -1;
 
   /// Removes steps from the end until `count` are left, and selects what the last of these selects;
   /// returns an error if a filter uses one of the others.
@@ -72,19 +70,11 @@ public:
   /// selected, and how many elements.
   QStringList past() const;
 
-  /// The active selection, if it is none of the steps: a brush, or what was selected in the view.
-  QString last() const;
-
   /// Makes one of them the active selection again, and its mesh the inspected one.
   void reselect(int place);
 
   /// What selects the active selection by values of arrays; empty if it is another one.
   QVector<camaron::BrushedValues> brushes() const;
-
-  /// Writes the selected elements to a file of the server, ".csv" or any mesh, or of this computer,
-  /// ".txt" or an OpenFOAM set in a folder "sets". Returns an error, empty if written.
-  /// The rows of a table of cells are sorted by a criterion, worst first, or by another array.
-  QString exportTo(const QString& path, bool onServer, const QString& criterion) const;
 
 Q_SIGNALS:
   void selectionChanged();
@@ -100,11 +90,8 @@ private:
   /// The filters of the chain of Select Elements that ends at the mesh, first to last.
   QList<pqPipelineSource*> stepFilters() const;
 
-  /// Whether SelectionBefore is what was selected before the first step.
-  bool isBefore(pqPipelineSource* step) const;
-
   /// Description of a step of selection, such as "Worst 1 % by Volume".
-  QString describeStep(vtkSMProxy* step) const;
+  QString describeStep(pqPipelineSource* filter) const;
 
   /// After a step of selection was removed: activates what the step before it selects, or the
   /// selection that the first step began with.

@@ -36,6 +36,13 @@ bool DependsOnSelection(const QString& strategy, const QString& combination)
 }
 
 //------------------------------------------------------------------------------
+// Whether a selection is the one with which the first step began.
+bool IsBefore(const camaron::PastSelection& selection, pqPipelineSource* first)
+{
+  return selection.Port && selection.Port == camaron::GetInput(first);
+}
+
+//------------------------------------------------------------------------------
 QString SpellLayers(vtkSMProxy* step, bool isSurface)
 {
   const int layers = camaron::GetProperty(step, "NumberOfLayers").toInt();
@@ -85,9 +92,9 @@ void pqMeshSelection::selectValuesBySteps(const QString& array,
   if (combination == camaron::Combination::Replace && this->Mesh->port() &&
     this->BrushedPort == this->Mesh->port())
   {
-    this->undoTo(static_cast<int>(this->steps().size()) - this->BrushSteps);
+    this->undoTo(static_cast<int>(this->stepFilters().size()) - this->BrushSteps);
   }
-  const auto before = this->steps().size();
+  const auto before = this->stepFilters().size();
   for (const QPair<double, double>& range : ranges)
   {
     this->selectBy("By criterion",
@@ -110,7 +117,7 @@ void pqMeshSelection::selectValuesBySteps(const QString& array,
         { "UpperLimit", camaron::ExactNumber(std::numeric_limits<double>::max()) } },
       combination);
   }
-  this->BrushSteps = static_cast<int>(this->steps().size() - before);
+  this->BrushSteps = static_cast<int>(this->stepFilters().size() - before);
   this->BrushedPort = this->Mesh->port();
 }
 
@@ -209,8 +216,9 @@ void pqMeshSelection::selectPlaces(const QStringList& ids, const QString& idSpac
 }
 
 //------------------------------------------------------------------------------
-QString pqMeshSelection::describeStep(vtkSMProxy* step) const
+QString pqMeshSelection::describeStep(pqPipelineSource* filter) const
 {
+  vtkSMProxy* step = filter->getProxy();
   const auto property = [step](const char* name) { return camaron::GetProperty(step, name); };
   const QString strategy = property("Strategy").toString();
   const QString array = property("Array").toString();
@@ -269,36 +277,30 @@ QList<pqPipelineSource*> pqMeshSelection::stepFilters() const
 }
 
 //------------------------------------------------------------------------------
-QStringList pqMeshSelection::steps() const
+QVector<QPair<QString, int>> pqMeshSelection::steps() const
 {
-  QStringList steps;
-  for (pqPipelineSource* filter : this->stepFilters())
+  QVector<QPair<QString, int>> steps;
+  const QList<pqPipelineSource*> filters = this->stepFilters();
+  vtkSMProxy* first = filters.isEmpty() ? nullptr : filters.front()->getProxy();
+  if (first && vtkSMPropertyHelper(first, "Selection").GetNumberOfElements() > 0 &&
+    DependsOnSelection(camaron::GetProperty(first, "Strategy").toString(),
+      camaron::GetProperty(first, "Combination").toString()))
   {
-    steps << this->describeStep(filter->getProxy());
+    const bool isKnown =
+      IsBefore(this->SelectionBefore, filters.front()) && !this->SelectionBefore.Text.isEmpty();
+    steps << qMakePair(isKnown ? this->SelectionBefore.Text : tr("Selected before"), 0);
+  }
+  int number = 0;
+  for (pqPipelineSource* filter : filters)
+  {
+    steps << qMakePair(this->describeStep(filter), ++number);
+  }
+  const camaron::PastSelection active = this->active();
+  if (active.Selection && !camaron::IsResult(active.Selection))
+  {
+    steps << qMakePair(active.Text, Present);
   }
   return steps;
-}
-
-//------------------------------------------------------------------------------
-QString pqMeshSelection::first() const
-{
-  const QList<pqPipelineSource*> steps = this->stepFilters();
-  vtkSMProxy* step = steps.isEmpty() ? nullptr : steps.front()->getProxy();
-  if (!step || vtkSMPropertyHelper(step, "Selection").GetNumberOfElements() == 0 ||
-    !DependsOnSelection(camaron::GetProperty(step, "Strategy").toString(),
-      camaron::GetProperty(step, "Combination").toString()))
-  {
-    return QString();
-  }
-  return this->isBefore(steps.front()) && !this->SelectionBefore.Text.isEmpty()
-    ? this->SelectionBefore.Text
-    : tr("Selected before");
-}
-
-//------------------------------------------------------------------------------
-bool pqMeshSelection::isBefore(pqPipelineSource* step) const
-{
-  return this->SelectionBefore.Port && this->SelectionBefore.Port == camaron::GetInput(step);
 }
 
 //------------------------------------------------------------------------------
@@ -323,7 +325,7 @@ QString pqMeshSelection::undoTo(int count)
     error = tr("%1 has to be deleted first, which uses this step.")
               .arg(other == consumers.end() ? last->getSMName() : (*other)->getSMName());
   }
-  if (left == 0 && !steps.isEmpty() && !this->isBefore(steps.front()))
+  if (left == 0 && !steps.isEmpty() && !IsBefore(this->SelectionBefore, steps.front()))
   { // of a state, or of another mesh since then
     this->SelectionBefore = { {}, camaron::GetInput(steps.front()),
       vtkSMSourceProxy::SafeDownCast(
