@@ -36,18 +36,23 @@ Helper HelperFilters::get(const char* group, const char* name, const char* key)
 }
 
 //------------------------------------------------------------------------------
-Helper HelperFilters::filter(const char* name, pqOutputPort* input, const char* key)
+Helper HelperFilters::filter(
+  const char* name, pqOutputPort* input, const char* key, const Properties& properties)
 {
-  return input ? this->filter(name, input->getSourceProxy(), key, input->getPortNumber()) : nullptr;
+  return input
+    ? this->filter(name, input->getSourceProxy(), key, properties, input->getPortNumber())
+    : nullptr;
 }
 
 //------------------------------------------------------------------------------
-Helper HelperFilters::filter(const char* name, vtkSMSourceProxy* input, const char* key, int port)
+Helper HelperFilters::filter(const char* name, vtkSMSourceProxy* input, const char* key,
+  const Properties& properties, int port)
 {
   const Helper filter = input ? this->get("filters", name, key) : nullptr;
   if (filter)
   {
     vtkSMPropertyHelper(filter, "Input").Set(input, port);
+    SetProperties(filter, properties);
   }
   return filter;
 }
@@ -80,6 +85,10 @@ double HelperFilters::time()
 //------------------------------------------------------------------------------
 bool HelperFilters::update(vtkSMSourceProxy* source)
 {
+  if (!source)
+  {
+    return false;
+  }
   if (this->isBusy())
   {
     this->Refused();

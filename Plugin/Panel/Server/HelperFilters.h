@@ -57,10 +57,14 @@ public:
   /// if the server does not know it.
   Helper get(const char* group, const char* name, const char* key = "");
 
+  using Properties = QMap<QString, QVariant>;
   ///@{
-  /// A filter with an output as input, or with the first one of another helper; nullptr without.
-  Helper filter(const char* name, pqOutputPort* input, const char* key = "");
-  Helper filter(const char* name, vtkSMSourceProxy* input, const char* key = "", int port = 0);
+  /// A filter with these properties, and an output or that of another helper as input; nullptr
+  /// without.
+  Helper filter(
+    const char* name, pqOutputPort* input, const char* key = "", const Properties& properties = {});
+  Helper filter(const char* name, vtkSMSourceProxy* input, const char* key = "",
+    const Properties& properties = {}, int port = 0);
   ///@}
 
   /// Releases all helpers.
@@ -72,10 +76,11 @@ public:
   /// The time of the active server's animation.
   static double time();
 
-  /// Updates a filter for the current time. False if that was refused.
+  /// Updates a filter for the current time. False if that was refused, and for nullptr.
   bool update(vtkSMSourceProxy* source);
 
-  /// Updates a filter and returns a table that it computes: on process 0, or by pieces on all.
+  /// Updates a filter and returns a table that it computes: on process 0, or by pieces on all. It
+  /// is empty for nullptr.
   PanelTable fetch(vtkSMSourceProxy* source, int port, bool isDistributed = false);
 
   /// While the returned object exists, the server computes.

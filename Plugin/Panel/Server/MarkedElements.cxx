@@ -16,11 +16,10 @@ Helper MarkElements(const pqInspectedMesh& mesh, const QString& strategy, const 
 {
   // One for each, which marks again without computing.
   const QByteArray key = "Marked" + (strategy + elements).toLatin1();
-  const Helper select = mesh.helpers().filter(SelectName, mesh.port(), key);
+  const Helper select = mesh.helpers().filter(
+    SelectName, mesh.port(), key, { { "Strategy", strategy }, { "ElementType", elements } });
   if (select)
   {
-    SetProperty(select, "Strategy", strategy);
-    SetProperty(select, "ElementType", elements);
     vtkSMPropertyHelper input(select, "Selection");
     vtkSMSourceProxy* selection = mesh.selection();
     if (input.GetAsProxy() != selection) // else the filter would mark them once more
@@ -40,7 +39,7 @@ Helper MarkElements(const pqInspectedMesh& mesh, const QString& strategy, const 
 qint64 CountElements(const pqInspectedMesh& mesh, const QString& strategy, const QString& elements)
 {
   const Helper select = MarkElements(mesh, strategy, elements);
-  if (!select || !mesh.helpers().update(select))
+  if (!mesh.helpers().update(select))
   {
     return 0;
   }
@@ -52,19 +51,19 @@ qint64 CountElements(const pqInspectedMesh& mesh, const QString& strategy, const
 //------------------------------------------------------------------------------
 Helper ExtractElements(const pqInspectedMesh& mesh, const Location& location, const char* key)
 {
-  const Helper selected = mesh.helpers().filter(SelectName, mesh.cellsPort(), key);
+  const bool isOfPlace = !location.GroupArray.isEmpty();
+  HelperFilters::Properties properties = isOfPlace
+    ? GrowToPlace(location.GroupArray, location.GroupLimits)
+    : HelperFilters::Properties();
+  properties["Strategy"] = QString(isOfPlace ? "Connected to ids" : "By id");
+  properties["Ids"] = location.Id;
+  properties["IdSpace"] = location.IdSpace;
+  const Helper selected = mesh.helpers().filter(SelectName, mesh.cellsPort(), key, properties);
   const Helper extraction = mesh.helpers().filter("ExtractSelection", mesh.cellsPort(), key);
   if (!selected || !extraction)
   {
     return nullptr;
   }
-  const bool isOfPlace = !location.GroupArray.isEmpty();
-  QMap<QString, QVariant> properties =
-    isOfPlace ? GrowToPlace(location.GroupArray, location.GroupLimits) : QMap<QString, QVariant>();
-  properties["Strategy"] = QString(isOfPlace ? "Connected to ids" : "By id");
-  properties["Ids"] = location.Id;
-  properties["IdSpace"] = location.IdSpace;
-  SetProperties(selected, properties);
   vtkSMPropertyHelper(extraction, "Selection").Set(selected, 1);
   extraction->UpdateVTKObjects();
   return extraction;

@@ -184,7 +184,7 @@ void MeshCamera::flyTo(const Location& location, bool open)
 void MeshCamera::mark(pqRenderView* view, const Location& location)
 {
   const Helper target = ExtractElements(*this->Mesh, location, "Target");
-  if (target && this->Mesh->helpers().update(target)) // views do not update it at first
+  if (this->Mesh->helpers().update(target)) // views do not update it at first
   {
     const QVariant color = GetLook(target, "MarkColor");
     this->Marker.show(view, target,

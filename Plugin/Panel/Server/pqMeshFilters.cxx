@@ -135,12 +135,12 @@ double pqMeshFilters::estimatedSeconds(const QStringList& names) const
 {
   const camaron::Helper quality = names.isEmpty()
     ? nullptr
-    : this->Mesh->helpers().filter("ElementQuality", this->Mesh->cellsPort(), "Estimate");
+    : this->Mesh->helpers().filter(
+        "ElementQuality", this->Mesh->cellsPort(), "Estimate", { { "Criteria", ToTicks(names) } });
   if (!quality)
   {
     return 0;
   }
-  camaron::SetProperties(quality, { { "Criteria", ToTicks(names) } });
   vtkSMProperty* seconds = quality->GetProperty("EstimatedSeconds");
   camaron::UpdateInformation(quality, seconds);
   return vtkSMPropertyHelper(seconds).GetAsDouble();

@@ -232,8 +232,9 @@ QString pqMeshFilters::writeText(const QString& path, const QByteArray& content)
 //------------------------------------------------------------------------------
 QString pqMeshFilters::saveTables(const QString& path) const
 {
-  const camaron::Helper statistics =
-    this->Mesh->helpers().filter("QualityStatistics", this->Mesh->port(), "Files");
+  const QStringList arrays = this->Questions->evaluated();
+  const camaron::Helper statistics = this->Mesh->helpers().filter("QualityStatistics",
+    this->Mesh->port(), "Files", { { "Arrays", QVariantList(arrays.begin(), arrays.end()) } });
   if (!statistics)
   {
     return tr("There is no mesh.");
@@ -247,8 +248,6 @@ QString pqMeshFilters::saveTables(const QString& path) const
   {
     folders->MakeDirectory(folder.toUtf8().constData());
   }
-  const QStringList arrays = this->Questions->evaluated();
-  camaron::SetProperties(statistics, { { "Arrays", QVariantList(arrays.begin(), arrays.end()) } });
   for (int port = 0; port < names.size(); ++port)
   {
     const QString error = this->write(statistics, port, QDir(folder).filePath(names[port]));
@@ -282,10 +281,9 @@ QString pqMeshFilters::exportSelection(
       ? tr("%1: an OpenFOAM set must be in a folder named \"sets\"").arg(path)
       : tr("%1: lists of ids are .txt files").arg(path);
   }
-  const camaron::Helper table = this->Mesh->helpers().filter("SelectionTable", selected, "Export");
   const camaron::CriterionInfo* info = this->Questions->criterion(criterion);
   const bool isSorted = extension == "csv" && !isOfPoints; // points have no values of cells
-  camaron::SetProperties(table,
+  const camaron::Helper table = this->Mesh->helpers().filter("SelectionTable", selected, "Export",
     { { "SortBy", isSorted ? criterion : QString() },
       { "Descending", info && info->Better < 0 ? 1 : 0 } });
   if (extension == "csv")

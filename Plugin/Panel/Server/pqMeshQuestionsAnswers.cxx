@@ -57,27 +57,19 @@ PanelTable GetProblems(vtkSMSourceProxy* check)
 QVector<camaron::ValidityInfo::NamedCount> CountGroups(
   const pqInspectedMesh& mesh, const QString& array, const QString& groupBy)
 {
-  const bool isEvaluated = mesh.cellArrays().contains(array);
-  const camaron::Helper quality = isEvaluated
-    ? nullptr
-    : mesh.helpers().filter("ElementQuality", mesh.cellsPort(), array.toLatin1());
-  if (quality)
-  {
-    camaron::SetProperties(quality, { { "Criteria", QVariantList{ array, "1" } } });
-  }
+  camaron::HelperFilters& helpers = mesh.helpers();
+  const camaron::HelperFilters::Properties properties = { { "Arrays", array },
+    { "NumberOfBins", 1 }, { "NumberOfWorst", 0 }, { "GroupBy", groupBy },
+    { "GroupArray", array } };
   // One filter for each grouping, which answers again without computing.
   const QByteArray key = (array + groupBy).toLatin1();
-  const camaron::Helper statistics = quality
-    ? mesh.helpers().filter("QualityStatistics", quality, key)
-    : mesh.helpers().filter("QualityStatistics", mesh.cellsPort(), key);
-  if (!statistics)
-  {
-    return {};
-  }
-  camaron::SetProperties(statistics,
-    { { "Arrays", array }, { "NumberOfBins", 1 }, { "NumberOfWorst", 0 }, { "GroupBy", groupBy },
-      { "GroupArray", array } });
-  const PanelTable table = mesh.helpers().fetch(statistics, 0);
+  const camaron::Helper statistics = mesh.cellArrays().contains(array)
+    ? helpers.filter("QualityStatistics", mesh.cellsPort(), key, properties)
+    : helpers.filter("QualityStatistics",
+        helpers.filter("ElementQuality", mesh.cellsPort(), array.toLatin1(),
+          { { "Criteria", QVariantList{ array, "1" } } }),
+        key, properties);
+  const PanelTable table = helpers.fetch(statistics, 0);
   QVector<camaron::ValidityInfo::NamedCount> groups;
   for (int row = 0; row < table.size(); ++row)
   {
@@ -198,7 +190,7 @@ camaron::Location pqMeshQuestions::locate(qint64 id, const QString& idSpace) con
   std::fill(std::begin(location.Center), std::end(location.Center),
     std::numeric_limits<double>::quiet_NaN());
   const camaron::Helper element = camaron::ExtractElements(*this->Mesh, location, "Target");
-  if (element && this->Mesh->helpers().update(element))
+  if (this->Mesh->helpers().update(element))
   {
     const vtkBoundingBox box(element->GetDataInformation(0)->GetBounds());
     if (box.IsValid())
@@ -215,41 +207,33 @@ QString pqMeshQuestions::selectedId() const
 {
   camaron::HelperFilters& helpers = this->Mesh->helpers();
   const camaron::Helper selected = camaron::MarkElements(*this->Mesh, "Current", "Cells");
-  return selected
-    ? helpers.fetch(helpers.filter("SelectionTable", selected, "Picked"), 0, true).text(0, "Id")
-    : QString();
+  return helpers.fetch(helpers.filter("SelectionTable", selected, "Picked"), 0, true).text(0, "Id");
 }
 
 //------------------------------------------------------------------------------
 camaron::PanelTable pqMeshQuestions::regions(
   const QString& array, int number, const camaron::Limits& limits) const
 {
-  const camaron::Helper regions =
-    this->Mesh->helpers().filter("QualityRegions", this->Mesh->cellsPort());
-  if (!regions)
-  {
-    return {};
-  }
   QMap<QString, QVariant> properties = { { "Array", array }, { "NumberOfRegions", number } };
   camaron::AddLimits(properties, limits);
-  camaron::SetProperties(regions, properties);
-  return this->Mesh->helpers().fetch(regions, 0);
+  camaron::HelperFilters& helpers = this->Mesh->helpers();
+  return helpers.fetch(
+    helpers.filter("QualityRegions", this->Mesh->cellsPort(), "", properties), 0);
 }
 
 //------------------------------------------------------------------------------
 camaron::CheckResult pqMeshQuestions::check(const camaron::CheckRequest& request) const
 {
   camaron::CheckResult result;
+  QMap<QString, QVariant> properties = request.Options;
+  properties.insert({ { "Rules", request.Rules }, { "Preset", "None" },
+    { "Tolerate", request.Tolerate }, { "NumberOfWorst", 0 } });
   const camaron::Helper check =
-    this->Mesh->helpers().filter("CheckQuality", this->Mesh->cellsPort());
+    this->Mesh->helpers().filter("CheckQuality", this->Mesh->cellsPort(), "", properties);
   if (!check)
   {
     return result;
   }
-  camaron::SetProperties(check, request.Options);
-  camaron::SetProperties(check,
-    { { "Rules", request.Rules }, { "Preset", "None" }, { "Tolerate", request.Tolerate },
-      { "NumberOfWorst", 0 } });
   result.Problems = GetProblems(check);
   if (result.Problems.isEmpty())
   {

@@ -136,6 +136,10 @@ QVector<camaron::Distribution> FetchDistributions(const pqInspectedMesh& mesh,
   const camaron::DistributionRequest& request, bool hasWeights)
 {
   QVector<camaron::Distribution> results;
+  if (!statistics)
+  {
+    return results;
+  }
   QMap<QString, QVariant> properties = ToProperties(arrays, request);
   properties["WeightArray"] = QString(hasWeights ? "Volume" : "");
   camaron::SetProperties(statistics, properties);
@@ -240,10 +244,6 @@ QVector<camaron::Distribution> pqMeshQuestions::distributions(
     : request.Bins == 1             ? helpers.filter(name, cells, "NoBins")
     : request.CurveValues.isEmpty() ? helpers.filter(name, cells, "One")
                                     : helpers.filter(name, cells, "Curve");
-  if (!statistics)
-  {
-    return {};
-  }
   const bool hasWeights =
     !other && !request.CountsSelected && this->Mesh->cellArrays().contains("Volume");
   return FetchDistributions(*this->Mesh, statistics, present, request, hasWeights);
@@ -252,15 +252,11 @@ QVector<camaron::Distribution> pqMeshQuestions::distributions(
 //------------------------------------------------------------------------------
 camaron::PanelTable pqMeshQuestions::worst(const QString& array, int number) const
 {
-  const camaron::Helper statistics =
-    this->Mesh->helpers().filter("QualityStatistics", this->Mesh->cellsPort(), "Worst");
-  if (!statistics)
-  {
-    return {};
-  }
-  camaron::SetProperties(
-    statistics, { { "Arrays", array }, { "NumberOfWorst", number }, { "NumberOfBins", 1 } });
-  return this->Mesh->helpers().fetch(statistics, 2);
+  camaron::HelperFilters& helpers = this->Mesh->helpers();
+  return helpers.fetch(
+    helpers.filter("QualityStatistics", this->Mesh->cellsPort(), "Worst",
+      { { "Arrays", array }, { "NumberOfWorst", number }, { "NumberOfBins", 1 } }),
+    2);
 }
 
 //------------------------------------------------------------------------------
@@ -269,15 +265,10 @@ camaron::ElementInfo pqMeshQuestions::element(
 {
   camaron::HelperFilters& helpers = this->Mesh->helpers();
   camaron::ElementInfo info;
-  const camaron::Helper one = helpers.filter(camaron::SelectName, this->Mesh->port(), "Element");
-  if (!one)
-  {
-    return info;
-  }
   camaron::Location location;
   location.Id = QString::number(id);
   location.IdSpace = idSpace;
-  camaron::SetProperties(one,
+  const camaron::Helper one = helpers.filter(camaron::SelectName, this->Mesh->port(), "Element",
     { { "Strategy", "By id" }, { "Ids", location.Id }, { "IdSpace", idSpace },
       { "Quiet", 1 } }); // an id that does not exist is told in the card
   info.Values = helpers.fetch(helpers.filter("SelectionTable", one, "Element"), 0, true);
@@ -285,9 +276,9 @@ camaron::ElementInfo pqMeshQuestions::element(
   {
     return info;
   }
-  const camaron::Helper layer = helpers.filter(camaron::SelectName, one, "Neighbors");
   const QString adjacency = this->Mesh->elementType() == "Edge" ? "Vertex" : "Face";
-  camaron::SetProperties(layer, { { "Strategy", "Expand" }, { "Adjacency", adjacency } });
+  const camaron::Helper layer = helpers.filter(camaron::SelectName, one, "Neighbors",
+    { { "Strategy", "Expand" }, { "Adjacency", adjacency } });
   const PanelTable neighbors =
     helpers.fetch(helpers.filter("SelectionTable", layer, "Neighbors"), 0, true);
   for (int row = 0; row < neighbors.size(); ++row)
@@ -302,12 +293,10 @@ camaron::ElementInfo pqMeshQuestions::element(
   camaron::DistributionRequest request;
   request.Bins = 1;
   request.Ranges = ranges;
-  const auto judged = statistics
-    ? FetchDistributions(*this->Mesh, statistics, this->evaluated(), request, false)
-    : QVector<camaron::Distribution>();
-  for (const camaron::Distribution& criterion : judged)
+  for (const camaron::Distribution& judged :
+    FetchDistributions(*this->Mesh, statistics, this->evaluated(), request, false))
   {
-    info.Failing += criterion.failing() > 0 ? QStringList(criterion.Array) : QStringList();
+    info.Failing += judged.failing() > 0 ? QStringList(judged.Array) : QStringList();
   }
   return info;
 }
