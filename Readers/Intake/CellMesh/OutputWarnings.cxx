@@ -7,7 +7,6 @@
 #include "Base/Text.h"
 #include "Cell/CellGeometry.h"
 #include "Intake/CellMesh/OutputMesh.h"
-#include "Intake/CellMesh/RoundingMargin.h"
 #include "Intake/Write/RealFormat.h"
 #include "Mesh/CellFacets.h"
 #include "Mesh/MeshView.h"
@@ -26,7 +25,6 @@
 #include "vtkVariant.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <cstdint>
 #include <iterator>
@@ -175,31 +173,6 @@ bool AreExact(const MeshView& mesh, int digits)
 {
   return digits == AllDigits || (digits == DigitsOfFloat && mesh.HasFloatPoints()) ||
     digits >= GetExactDigits(mesh);
-}
-
-//------------------------------------------------------------------------------
-// How much numbers change by rounding.
-Rounding GetRounding(int digits)
-{
-  using Float = std::numeric_limits<float>;
-  return digits == DigitsOfFloat
-    ? Rounding{ Float::epsilon() / 2, Float::denorm_min(), Float::max() }
-    : Rounding{ std::pow(10, 1 - digits), 0, Infinity };
-}
-
-//------------------------------------------------------------------------------
-bool AreAllSafe(const MeshView& mesh, const RoundingMargin& margin)
-{
-  std::atomic<bool> areSafe{ true };
-  ParallelFor(mesh.GetNumberOfCells(), MediumGrain,
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      if (areSafe && !RoundingMargin(margin).AreSafe(begin, end))
-      {
-        areSafe = false;
-      }
-    });
-  return areSafe;
 }
 
 //------------------------------------------------------------------------------
@@ -355,11 +328,6 @@ bool CheckRoundedCells(vtkDataSet* mesh, int digits, const std::string& path, Sc
   {
     return true;
   }
-  const RoundingMargin margin(view, GetRounding(digits), MaxChange);
-  if (AreAllSafe(view, margin))
-  {
-    return true;
-  }
   const auto rounded = vtkSmartPointer<vtkPointSet>::Take(points->NewInstance());
   rounded->ShallowCopy(points);
   rounded->SetPoints(RoundPoints(points->GetPoints(), digits));
@@ -379,13 +347,8 @@ bool CheckRoundedCells(vtkDataSet* mesh, int digits, const std::string& path, Sc
       Worst worstHere;
       vtkIdType turnedHere = -1;
       CellFacets facets(view);
-      RoundingMargin marginHere(margin);
       for (vtkIdType cell = begin; cell < end; ++cell)
       {
-        if (marginHere.IsSafe(cell))
-        {
-          continue;
-        }
         ForEachEdge(view, facets, cell,
           [&](vtkIdType a, vtkIdType b)
           {
