@@ -164,8 +164,7 @@ namespace camaron
 QTableView* MakeTable(
   QWidget* parent, const char* name, pqTableModel* model, const TableShape& shape)
 {
-  auto* view = new CardTable(shape, model, parent);
-  view->setObjectName(name);
+  auto* view = Make<CardTable>(parent, name, shape, model);
   view->setSelectionBehavior(QAbstractItemView::SelectRows);
   view->setSelectionMode(QAbstractItemView::SingleSelection);
   view->setEditTriggers(QAbstractItemView::NoEditTriggers);
@@ -186,8 +185,7 @@ QTableView* MakeTable(
 //------------------------------------------------------------------------------
 QToolButton* MakeTool(QWidget* parent, const char* name, const QString& tip)
 {
-  auto* button = new QToolButton(parent);
-  button->setObjectName(name);
+  auto* button = Make<QToolButton>(parent, name);
   button->setIcon(PanelIcon(name));
   button->setToolTip(tip);
   button->setAccessibleName(tip);
@@ -211,8 +209,7 @@ void SetEnabled(QWidget* widget, bool isEnabled, const QString& reason)
 //------------------------------------------------------------------------------
 QLabel* MakeText(QWidget* parent, const char* name, bool hasLinks)
 {
-  auto* label = new QLabel(parent);
-  label->setObjectName(name);
+  auto* label = Make<QLabel>(parent, name);
   label->setWordWrap(true);
   // Links make it a stop of the Tab key.
   label->setTextInteractionFlags(hasLinks ? Qt::TextBrowserInteraction : Qt::TextSelectableByMouse);

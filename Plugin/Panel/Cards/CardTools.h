@@ -24,6 +24,15 @@ class QWidget;
 
 namespace camaron
 {
+/// A widget with an object name; the other arguments of its constructor precede the parent.
+template <typename Widget, typename... Arguments>
+Widget* Make(QWidget* parent, const QString& name, const Arguments&... arguments)
+{
+  auto* widget = new Widget(arguments..., parent);
+  widget->setObjectName(name);
+  return widget;
+}
+
 /// How a table divides its width.
 struct TableShape
 {

@@ -87,10 +87,10 @@ QString SpellRules(int number)
 //------------------------------------------------------------------------------
 pqCheckCard::pqCheckCard(pqInspectorState* state, QWidget* parent)
   : Superclass("Check", tr("Check"), false, state, parent)
-  , Preset(new QComboBox(this->content()))
-  , Rules(new pqRulesEditor(this->content()))
-  , Tolerance(new QLineEdit(this->content()))
-  , Check(new QPushButton(tr("Check"), this->content()))
+  , Preset(camaron::Make<QComboBox>(this->content(), "Preset"))
+  , Rules(camaron::Make<pqRulesEditor>(this->content(), "Rules"))
+  , Tolerance(camaron::Make<QLineEdit>(this->content(), "Tolerance"))
+  , Check(camaron::Make<QPushButton>(this->content(), "Check", tr("Check")))
   , Verdict(camaron::MakeText(this->content(), "Verdict"))
   , Verdicts(new pqTableModel(
       { pqTableModel::ShowColumn(tr("Verdict"), "Verdict", false),
@@ -103,19 +103,15 @@ pqCheckCard::pqCheckCard(pqInspectorState* state, QWidget* parent)
   this->Table->setToolTip(tr("Click a rule to select the cells that violate it"));
   this->Verdicts->setRowColor([this](const PanelTable& table, int row)
     { return GetColor(table.text(row, "Verdict"), this->palette()); });
-  this->Preset->setObjectName("Preset");
   this->Preset->setToolTip(tr("Rules of a preset, in addition to those below"));
-  this->Rules->setObjectName("Rules");
   this->Rules->setPlaceholderText(
     tr("One rule per line, such as: MinDihedralAngle >= 10 tolerate 0.1%"));
   this->Rules->setToolTip(tr("Names are completed while you type, or with Ctrl+Space"));
   this->Rules->setMaximumHeight((visibleLines + 1) * this->fontMetrics().lineSpacing());
-  this->Tolerance->setObjectName("Tolerance");
   this->Tolerance->setPlaceholderText(tr("none"));
   this->Tolerance->setToolTip(tr("Elements that may fail each rule that has no tolerance of its "
                                  "own, as a number or a percentage, "
                                  "such as 3 or 0.1%"));
-  this->Check->setObjectName("Check");
 
   QHBoxLayout* choices = this->addRow();
   choices->addWidget(this->Preset, 1);

@@ -36,28 +36,23 @@ constexpr double LongSeconds = 5;       // worth a line
 //------------------------------------------------------------------------------
 pqCriteriaCard::pqCriteriaCard(pqInspectorState* state, QWidget* parent)
   : Superclass("Criteria", tr("Criteria"), true, state, parent)
-  , Elements(new QComboBox(this->content()))
-  , Preset(new QComboBox(this->content()))
-  , Search(new pqSearchBox(this->content()))
-  , Tree(new pqCriteriaTree(this->content()))
+  , Elements(camaron::Make<QComboBox>(this->content(), "Elements"))
+  , Preset(camaron::Make<QComboBox>(this->content(), "Preset"))
+  , Search(camaron::Make<pqSearchBox>(this->content(), "Search"))
+  , Tree(camaron::Make<pqCriteriaTree>(this->content(), "Tree"))
   , Cost(camaron::MakeText(this->content(), "Cost"))
-  , Evaluate(new QPushButton(tr("Evaluate"), this->content()))
+  , Evaluate(camaron::Make<QPushButton>(this->content(), "Evaluate", tr("Evaluate")))
 {
-  this->Elements->setObjectName("Elements");
   this->Elements->addItem(tr("Cells"), "Cell");
   this->Elements->addItem(tr("Faces"), "Face");
   this->Elements->addItem(tr("Edges"), "Edge");
   this->Elements->addItem(tr("Vertices"), "Vertex");
   this->Elements->setToolTip(
     tr("Elements to evaluate. Faces, edges and vertices become cells of Mesh Elements."));
-  this->Preset->setObjectName("Preset");
   this->Preset->setToolTip(tr("Ticks the criteria of a preset"));
-  this->Search->setObjectName("Search");
   this->Search->setPlaceholderText(tr("Search criteria"));
-  this->Tree->setObjectName("Tree");
   constexpr int visibleRows = 6;
   this->Tree->setMinimumHeight(visibleRows * (this->fontMetrics().height() + 4));
-  this->Evaluate->setObjectName("Evaluate");
   this->Evaluate->setToolTip(tr("Evaluates the ticked criteria with one filter in the pipeline"));
 
   QHBoxLayout* choices = this->addRow();

@@ -102,7 +102,7 @@ QString SpellValue(const PanelTable& table, int row)
 //------------------------------------------------------------------------------
 pqElementCard::pqElementCard(pqInspectorState* state, QWidget* parent)
   : Superclass("Element", tr("Element"), false, state, parent)
-  , Id(new QLineEdit(this->content()))
+  , Id(camaron::Make<QLineEdit>(this->content(), "Id"))
   , Summary(camaron::MakeText(this->content(), "Summary"))
   , Values(new pqTableModel(
       { pqTableModel::ShowColumn(tr("Criterion"), "Label", false), { tr("Value"), SpellValue } },
@@ -117,7 +117,6 @@ pqElementCard::pqElementCard(pqInspectorState* state, QWidget* parent)
       const camaron::PanelColors colors(this->palette());
       return verdict == "fail" ? colors.Fails : verdict == "warn" ? colors.Warns : QColor();
     });
-  this->Id->setObjectName("Id");
   this->Id->setPlaceholderText(tr("Id"));
   this->Id->setValidator(
     new QRegularExpressionValidator(QRegularExpression("\\s*-?\\d{1,19}\\s*"), this->Id));

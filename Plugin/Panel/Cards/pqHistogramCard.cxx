@@ -33,18 +33,16 @@
 //------------------------------------------------------------------------------
 pqHistogramCard::pqHistogramCard(pqInspectorState* state, QWidget* parent)
   : Superclass("Histogram", tr("Histogram"), true, state, parent)
-  , Criterion(new QComboBox(this->content()))
-  , Group(new QComboBox(this->content()))
-  , Bins(new QSpinBox(this->content()))
-  , Plot(new pqHistogramPlot(this->content()))
-  , Limits(new pqLimitFields(this->content()))
+  , Criterion(camaron::Make<QComboBox>(this->content(), "Criterion"))
+  , Group(camaron::Make<QComboBox>(this->content(), "Group"))
+  , Bins(camaron::Make<QSpinBox>(this->content(), "Bins"))
+  , Plot(camaron::Make<pqHistogramPlot>(this->content(), "Plot"))
+  , Limits(camaron::Make<pqLimitFields>(this->content(), "Limits"))
   , Verdict(camaron::MakeText(this->content(), "Verdict", true))
   , Brush(camaron::MakeText(this->content(), "Brush"))
 {
   this->makeToolBar();
-  this->Plot->setObjectName("Plot");
   this->contentLayout()->addWidget(this->Plot);
-  this->Limits->setObjectName("Limits");
   this->contentLayout()->addWidget(this->Limits);
   // Space for two lines, so that nothing moves while limits are dragged.
   this->Verdict->setMinimumHeight(2 * this->fontMetrics().lineSpacing());

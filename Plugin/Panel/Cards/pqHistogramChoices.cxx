@@ -21,9 +21,7 @@ void pqHistogramCard::makeToolBar()
   QHBoxLayout* choices = this->addRow();
   choices->addWidget(this->Criterion, 2);
   choices->addWidget(this->Group, 1);
-  this->Criterion->setObjectName("Criterion");
   this->Criterion->setToolTip(tr("Criterion or cell array whose distribution is shown"));
-  this->Group->setObjectName("Group");
   this->Group->setToolTip(
     tr("Stack the bars by cell type, block, or an array of integers or texts"));
   for (QComboBox* box : { this->Criterion, this->Group })
@@ -51,7 +49,6 @@ void pqHistogramCard::makeToolBar()
   tools->addWidget(new QLabel(tr("Bins"), this->content()));
   tools->addWidget(this->Bins);
   constexpr int maximum = 1000;
-  this->Bins->setObjectName("Bins");
   this->Bins->setRange(1, maximum);
   this->Bins->setValue(this->Request.Bins);
   this->Bins->setKeyboardTracking(false);

@@ -23,17 +23,15 @@ pqInspectorCard::pqInspectorCard(
   const QString& name, const QString& title, bool isOpen, pqInspectorState* state, QWidget* parent)
   : Superclass(parent)
   , State(state)
-  , Button(new pqExpanderButton(this))
-  , Content(new QWidget(this))
+  , Button(camaron::Make<pqExpanderButton>(this, "Title"))
+  , Content(camaron::Make<QWidget>(this, "Content"))
   , Layout(new QVBoxLayout(this->Content))
 {
   this->setObjectName(name);
-  this->Button->setObjectName("Title");
   this->Button->setText(title);
   this->Button->setAccessibleName(title);
   this->Button->setFocusPolicy(Qt::TabFocus);
   this->Button->installEventFilter(this);
-  this->Content->setObjectName("Content");
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(pqPropertiesPanel::suggestedMargins());
   layout->setSpacing(pqPropertiesPanel::suggestedVerticalSpacing());
@@ -88,8 +86,7 @@ bool pqInspectorCard::mayCompute(bool hasValues)
   const bool asks = hasValues && !this->State->mayCompute();
   if (asks && !this->Compute)
   {
-    this->Compute = new QPushButton(this->Content);
-    this->Compute->setObjectName("Compute");
+    this->Compute = camaron::Make<QPushButton>(this->Content, "Compute");
     this->Compute->setToolTip(
       tr("The mesh has more cells than the Mesh Inspector reads by itself: see its page in "
          "ParaView's settings"));

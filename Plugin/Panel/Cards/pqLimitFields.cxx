@@ -52,8 +52,7 @@ pqLimitFields::pqLimitFields(QWidget* parent)
 //------------------------------------------------------------------------------
 QLineEdit* pqLimitFields::addField(const char* name, const QString& tip)
 {
-  auto* field = new QLineEdit(this);
-  field->setObjectName(name);
+  auto* field = camaron::Make<QLineEdit>(this, name);
   field->setPlaceholderText(tr("none"));
   field->setToolTip(tip);
   field->setAccessibleName(tip);

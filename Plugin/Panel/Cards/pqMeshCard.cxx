@@ -38,9 +38,8 @@ pqMeshCard::pqMeshCard(pqInspectorState* state, QWidget* parent)
   , Bounds(camaron::MakeText(this->content(), "Bounds"))
   , Types(camaron::MakeText(this->content(), "Types"))
   , Validity(camaron::MakeText(this->content(), "Validity", true))
-  , Validate(new QPushButton(tr("Validate Cells"), this->content()))
+  , Validate(camaron::Make<QPushButton>(this->content(), "Validate", tr("Validate Cells")))
 {
-  this->Validate->setObjectName("Validate");
   this->Validate->setToolTip(
     tr("Evaluates CellStatus for all cells and counts cells by type. For meshes of this size it "
        "is done on request."));

@@ -35,16 +35,15 @@ pqReportCard::pqReportCard(pqInspectorState* state, QWidget* parent)
   : Superclass("Report", tr("Report"), false, state, parent)
   , Hint(camaron::MakeText(this->content(), "Hint"))
   , Message(camaron::MakeText(this->content(), "Message"))
-  , Folder(new QLineEdit(this->content()))
-  , Browse(new QToolButton(this->content()))
-  , Save(new QPushButton(tr("Save Report"), this->content()))
+  , Folder(camaron::Make<QLineEdit>(this->content(), "ReportFolder"))
+  , Browse(camaron::Make<QToolButton>(this->content(), "BrowseReport"))
+  , Save(camaron::Make<QPushButton>(this->content(), "SaveReport", tr("Save Report")))
 {
   auto* grid = new QGridLayout;
   const auto addButton =
     [&](const char* name, const QString& label, const QString& tip, const auto& action)
   {
-    auto* button = new QPushButton(label, this->content());
-    button->setObjectName(name);
+    auto* button = camaron::Make<QPushButton>(this->content(), name, label);
     button->setToolTip(tip);
     QObject::connect(button, &QPushButton::clicked, this, action);
     const auto place = static_cast<int>(this->Buttons.size());
@@ -70,11 +69,8 @@ pqReportCard::pqReportCard(pqInspectorState* state, QWidget* parent)
   report->addWidget(this->Browse);
   report->addWidget(this->Save);
   this->contentLayout()->addLayout(report);
-  this->Folder->setObjectName("ReportFolder");
-  this->Browse->setObjectName("BrowseReport");
   this->Browse->setText("...");
   this->Browse->setToolTip(tr("Choose a folder for the report"));
-  this->Save->setObjectName("SaveReport");
   this->Save->setToolTip(
     tr("Writes an HTML page with statistics, histograms, worst cells, pictures, "
        "and the verdicts on the rules of Check and the ranges that you set; "

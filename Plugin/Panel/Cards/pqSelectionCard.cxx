@@ -44,16 +44,15 @@ public:
 pqSelectionCard::pqSelectionCard(pqInspectorState* state, QWidget* parent)
   : Superclass("Selection", tr("Selection"), false, state, parent)
   , Summary(camaron::MakeText(this->content(), "Summary"))
-  , Adjacency(new QComboBox(this->content()))
-  , WorstPercent(new PercentBox(this->content()))
+  , Adjacency(camaron::Make<QComboBox>(this->content(), "Adjacency"))
+  , WorstPercent(camaron::Make<PercentBox>(this->content(), "WorstPercent"))
   , Status(new QMenu(this))
   , History(new QMenu(this))
-  , Steps(new QListWidget(this->content()))
+  , Steps(camaron::Make<QListWidget>(this->content(), "Steps"))
   , Message(camaron::MakeText(this->content(), "Message"))
 {
   this->contentLayout()->addWidget(this->Summary);
   this->makeTools();
-  this->Steps->setObjectName("Steps");
   this->Steps->setToolTip(tr("Steps of the selection; double-click one to go back to it"));
   const int height = this->Steps->fontMetrics().height() + 4;
   constexpr int visibleSteps = 4;
@@ -89,7 +88,6 @@ void pqSelectionCard::makeTools()
   };
   addStep("Grow", tr("Grow the selection by a layer of neighbors"), [=] { addLayer("Expand"); });
   addStep("Shrink", tr("Remove the outer layer of the selection"), [=] { addLayer("Shrink"); });
-  this->Adjacency->setObjectName("Adjacency");
   this->Adjacency->addItem(tr("across faces"), "Face");
   this->Adjacency->addItem(tr("across edges"), "Edge");
   this->Adjacency->addItem(tr("at vertices"), "Vertex");
@@ -113,7 +111,6 @@ void pqSelectionCard::makeTools()
   QObject::connect(this->History, &QMenu::aboutToShow, this, &pqSelectionCard::fillHistory);
 
   QHBoxLayout* more = this->addRow();
-  this->WorstPercent->setObjectName("WorstPercent");
   constexpr double most = 100;
   this->WorstPercent->setRange(0, most);
   this->WorstPercent->setValue(1);

@@ -36,8 +36,8 @@ constexpr int ExactCut = 4; // of CutBy
 pqViewCard::pqViewCard(pqInspectorState* state, QWidget* parent)
   : Superclass("View", tr("View"), false, state, parent)
   , ModeButtons(new QGridLayout)
-  , CutShape(new QComboBox(this->content()))
-  , CutBy(new QComboBox(this->content()))
+  , CutShape(camaron::Make<QComboBox>(this->content(), "CutShape"))
+  , CutBy(camaron::Make<QComboBox>(this->content(), "CutBy"))
 {
   this->contentLayout()->addLayout(this->ModeButtons);
   this->makeCut();
@@ -80,11 +80,9 @@ void pqViewCard::makeModes()
 //------------------------------------------------------------------------------
 void pqViewCard::makeCut()
 {
-  this->CutBy->setObjectName("CutBy");
   this->CutBy->setToolTip(
     tr("Which cells the cut removes: whole cells by their centroid, any or all of their "
        "vertices; or exactly what is outside"));
-  this->CutShape->setObjectName("CutShape");
   this->CutShape->addItem(tr("Plane"), "Plane");
   this->CutShape->addItem(tr("Sphere"), "CuttingSphere");
   this->CutShape->addItem(tr("Box"), "CuttingBox");
@@ -114,8 +112,7 @@ void pqViewCard::makeCut()
 QSlider* pqViewCard::addSlider(QHBoxLayout* row, const char* name, const QString& label,
   const QString& tip, const std::function<QString(double share)>& spell)
 {
-  auto* slider = new QSlider(Qt::Horizontal, this->content());
-  slider->setObjectName(name);
+  auto* slider = camaron::Make<QSlider>(this->content(), name, Qt::Horizontal);
   slider->setRange(0, SliderSteps);
   slider->setToolTip(tip);
   slider->setAccessibleName(label);
@@ -123,8 +120,7 @@ QSlider* pqViewCard::addSlider(QHBoxLayout* row, const char* name, const QString
   text->setMinimumWidth(text->fontMetrics().horizontalAdvance(tr("Isosurface ")));
   row->addWidget(text);
   row->addWidget(slider, 1);
-  auto* value = new QLabel(this->content());
-  value->setObjectName(QString(name) + "Value");
+  auto* value = camaron::Make<QLabel>(this->content(), QString(name) + "Value");
   value->setMinimumWidth(value->fontMetrics().horizontalAdvance("-0.000"));
   row->addWidget(value);
   this->Spellings << [=] { value->setText(spell(double(slider->value()) / SliderSteps)); };

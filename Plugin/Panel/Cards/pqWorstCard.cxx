@@ -79,8 +79,8 @@ camaron::Location GetLocation(const PanelTable& table, int row)
 //------------------------------------------------------------------------------
 pqWorstCard::pqWorstCard(pqInspectorState* state, QWidget* parent)
   : Superclass("Worst", tr("Worst"), true, state, parent)
-  , Rows(new QComboBox(this->content()))
-  , Number(new QSpinBox(this->content()))
+  , Rows(camaron::Make<QComboBox>(this->content(), "Rows"))
+  , Number(camaron::Make<QSpinBox>(this->content(), "Number"))
   , Cells(new pqTableModel(
       { pqTableModel::ShowColumn(tr("#"), "Rank"), pqTableModel::ShowColumn(tr("Id"), "Id"),
         pqTableModel::ShowColumn(tr("Value"), "Value"), { tr("Type"), SpellType, false },
@@ -126,13 +126,11 @@ pqWorstCard::pqWorstCard(pqInspectorState* state, QWidget* parent)
     });
   this->Open->setCheckable(true);
   this->Open->setChecked(true);
-  this->Rows->setObjectName("Rows");
   this->Rows->setSizeAdjustPolicy(QComboBox::AdjustToContents);
   this->Rows->addItem(tr("Worst cells"));
   this->Rows->addItem(tr("Bad places"));
   this->Rows->setItemData(
     1, tr("Connected groups of elements outside the limits"), Qt::ToolTipRole);
-  this->Number->setObjectName("Number");
   constexpr int most = 1000, usual = 20;
   this->Number->setRange(1, most);
   this->Number->setValue(usual);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pqCriterionRangeWidget.h"
 
+#include "CardTools.h"
 #include "MeshOutput.h"
 #include "NumberText.h"
 #include "pqHistogramPlot.h"
@@ -44,19 +45,14 @@ double ReadLimit(const QLineEdit* field, double none)
 pqCriterionRangeWidget::pqCriterionRangeWidget(
   vtkSMProxy* proxy, vtkSMPropertyGroup* group, QWidget* parent)
   : Superclass(proxy, group, parent)
-  , Range(new QComboBox(this))
-  , Plot(new pqHistogramPlot(this))
-  , Compute(new QPushButton(tr("Compute Histogram"), this))
-  , Low(new QLineEdit(this))
-  , High(new QLineEdit(this))
+  , Range(camaron::Make<QComboBox>(this, "Range"))
+  , Plot(camaron::Make<pqHistogramPlot>(this, "Plot"))
+  , Compute(camaron::Make<QPushButton>(this, "Compute", tr("Compute Histogram")))
+  , Low(camaron::Make<QLineEdit>(this, "LowerLimit"))
+  , High(camaron::Make<QLineEdit>(this, "UpperLimit"))
 {
   this->setShowLabel(false);
-  this->Range->setObjectName("Range");
-  this->Plot->setObjectName("Plot");
-  this->Compute->setObjectName("Compute");
-  this->Low->setObjectName("LowerLimit");
   this->Low->setPlaceholderText(tr("no lower limit"));
-  this->High->setObjectName("UpperLimit");
   this->High->setPlaceholderText(tr("no upper limit"));
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
