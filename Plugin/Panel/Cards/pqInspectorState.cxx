@@ -202,7 +202,7 @@ void pqInspectorState::setLimits(double low, double high)
 //------------------------------------------------------------------------------
 void pqInspectorState::changeLimits(const camaron::Limits& limits)
 {
-  const QString key = this->keyOf(this->Criterion);
+  const Key key = this->keyOf(this->Criterion);
   const camaron::Limits before = std::exchange(this->LimitsOf[key], limits);
   if (before == limits)
   {
@@ -226,7 +226,7 @@ void pqInspectorState::changeLimits(const camaron::Limits& limits)
 }
 
 //------------------------------------------------------------------------------
-void pqInspectorState::restoreLimits(const QString& key, const camaron::Limits& limits)
+void pqInspectorState::restoreLimits(const Key& key, const camaron::Limits& limits)
 {
   this->LimitsOf[key] = limits;
   if (key == this->keyOf(this->Criterion))
@@ -263,7 +263,7 @@ QStringList pqInspectorState::userRanges(const QString& elements) const
   QStringList lines;
   for (auto item = this->LimitsOf.cbegin(); item != this->LimitsOf.cend(); ++item)
   {
-    const QString element = item.key().section('/', 0, 0), name = item.key().section('/', 1);
+    const auto& [element, name] = item.key();
     if (element == elements && item.value() &&
       IsCriterion(*this->Services.Questions, element, name))
     {
@@ -285,8 +285,7 @@ camaron::ReportRequest pqInspectorState::reportRequest() const
   }
   for (auto item = this->LimitsOf.cbegin(); item != this->LimitsOf.cend(); ++item)
   {
-    const QString criterion = item.key().section('/', 1);
-    const QString element = item.key().section('/', 0, 0);
+    const auto& [element, criterion] = item.key();
     if (!item.value() || !IsCriterion(*this->Services.Questions, element, criterion))
     {
       continue;

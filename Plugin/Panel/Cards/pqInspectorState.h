@@ -107,11 +107,12 @@ private:
   /// Another criterion colors the mesh, by ParaView's own means or by undo.
   void followColors();
 
+  using Key = QPair<QString, QString>; // element type and criterion
   void changeLimits(const camaron::Limits& limits);
 
   /// Of a criterion shown now or before, by its key in LimitsOf.
-  void restoreLimits(const QString& key, const camaron::Limits& limits);
-  QString keyOf(const QString& criterion) const { return this->ElementType + '/' + criterion; }
+  void restoreLimits(const Key& key, const camaron::Limits& limits);
+  Key keyOf(const QString& criterion) const { return { this->ElementType, criterion }; }
 
   QPair<double, double> limits() const;
 
@@ -120,8 +121,8 @@ private:
   QString WantedElements;
   QString Criterion;
   QString Colored;
-  QMap<QString, camaron::Limits> LimitsOf; ///< of the user, by element type and criterion
-  QMap<QString, QString> CriterionOf;      ///< the last one, by element type
+  QMap<Key, camaron::Limits> LimitsOf; ///< of the user
+  QMap<QString, QString> CriterionOf;  ///< the last one, by element type
   QPair<double, double> Acceptable;
   camaron::CheckRequest Checked;
   bool OpensMesh = true;

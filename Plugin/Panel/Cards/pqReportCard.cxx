@@ -64,11 +64,10 @@ pqReportCard::pqReportCard(pqInspectorState* state, QWidget* parent)
     [this] { this->saveTables(); });
   this->Message->setOpenExternalLinks(true);
   this->contentLayout()->addLayout(grid);
-  auto* report = new QHBoxLayout;
+  QHBoxLayout* report = this->addRow();
   report->addWidget(this->Folder, 1);
   report->addWidget(this->Browse);
   report->addWidget(this->Save);
-  this->contentLayout()->addLayout(report);
   this->Browse->setText("...");
   this->Browse->setToolTip(tr("Choose a folder for the report"));
   this->Save->setToolTip(

@@ -3,17 +3,16 @@
 #include "pqCriteriaCostDecorator.h"
 
 #include "NumberText.h"
-#include "ProxyValues.h"
+#include "pqMeshFilters.h"
+#include "pqMeshServices.h"
 
 #include "pqCoreUtilities.h"
 #include "pqPropertyWidget.h"
-#include "pqUndoStack.h"
 
 #include "vtkCommand.h"
 #include "vtkPVDataInformation.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxy.h"
-#include "vtkSMSessionProxyManager.h"
 #include "vtkSMSourceProxy.h"
 #include "vtkSMUncheckedPropertyHelper.h"
 
@@ -67,41 +66,20 @@ pqCriteriaCostDecorator::pqCriteriaCostDecorator(vtkPVXMLElement* xml, pqPropert
 }
 
 //------------------------------------------------------------------------------
-double pqCriteriaCostDecorator::estimate()
-{
-  const pqScopedUndoExclude pause;
-  vtkSMProxy* proxy = this->parentWidget()->proxy();
-  if (!this->Estimating)
-  {
-    this->Estimating.TakeReference(
-      proxy->GetSessionProxyManager()->NewProxy(proxy->GetXMLGroup(), proxy->GetXMLName()));
-  }
-  vtkSMProperty* seconds = this->Estimating->GetProperty("EstimatedSeconds");
-  vtkSMPropertyHelper input(proxy, "Input");
-  if (!seconds || !input.GetAsProxy())
-  {
-    return 0;
-  }
-  vtkSMPropertyHelper(this->Estimating, "Input").Set(input.GetAsProxy(), input.GetOutputPort());
-  camaron::SetProperties(this->Estimating,
-    { { "Criteria", GetUnapplied(proxy, "Criteria") },
-      { "Preset", GetUnapplied(proxy, "Preset") } });
-  camaron::UpdateInformation(this->Estimating, seconds);
-  return vtkSMPropertyHelper(seconds).GetAsDouble();
-}
-
-//------------------------------------------------------------------------------
 void pqCriteriaCostDecorator::updateText()
 {
   vtkSMProxy* proxy = this->parentWidget()->proxy();
-  const bool hasPreset = GetUnapplied(proxy, "Preset") != QVariantList{ QString(Ticked) };
+  const QString preset = GetUnapplied(proxy, "Preset").value(0).toString();
   const bool isOfPreset = this->parentWidget()->property() == proxy->GetProperty("Preset");
-  const double seconds = isOfPreset == hasPreset ? this->estimate() : 0;
-  this->Label->setVisible(seconds >= LongSeconds);
   vtkSMPropertyHelper input(proxy, "Input");
   auto* source = vtkSMSourceProxy::SafeDownCast(input.GetAsProxy());
-  const qint64 cells =
-    source ? source->GetDataInformation(input.GetOutputPort())->GetNumberOfCells() : 0;
+  const auto port = static_cast<int>(input.GetOutputPort());
+  const double seconds = isOfPreset == (preset != Ticked)
+    ? pqMeshServices::instance()->Filters->estimatedSeconds(
+        GetUnapplied(proxy, "Criteria"), preset, source, port)
+    : 0;
+  this->Label->setVisible(seconds >= LongSeconds);
+  const qint64 cells = source ? source->GetDataInformation(port)->GetNumberOfCells() : 0;
   this->Label->setText(tr("About %1 for %2 cells.")
       .arg(camaron::FormatDuration(seconds), camaron::GroupedInteger(cells)));
 }

@@ -14,10 +14,7 @@
 
 #include "pqPropertyWidgetDecorator.h"
 
-#include "vtkSmartPointer.h" // for a filter
-
 class QLabel;
-class vtkSMProxy;
 
 class pqCriteriaCostDecorator : public pqPropertyWidgetDecorator
 {
@@ -31,11 +28,7 @@ private Q_SLOTS:
   void updateText();
 
 private:
-  /// The server's estimate, in seconds, for what Apply will evaluate.
-  double estimate();
-
   QLabel* Label;
-  vtkSmartPointer<vtkSMProxy> Estimating; ///< a filter that has what awaits Apply
 };
 
 #endif

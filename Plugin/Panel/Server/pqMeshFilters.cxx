@@ -39,6 +39,8 @@
 
 namespace
 {
+constexpr const char* TickedPreset = "Ticked criteria"; // the choice of Preset for no preset
+
 //------------------------------------------------------------------------------
 pqPipelineSource* FindConsumer(pqOutputPort* port, const QString& name)
 {
@@ -133,10 +135,18 @@ pqMeshFilters::pqMeshFilters(pqInspectedMesh* mesh, pqMeshQuestions* questions, 
 //------------------------------------------------------------------------------
 double pqMeshFilters::estimatedSeconds(const QStringList& names) const
 {
-  const camaron::Helper quality = names.isEmpty()
-    ? nullptr
-    : this->Mesh->helpers().filter(
-        "ElementQuality", this->Mesh->cellsPort(), "Estimate", { { "Criteria", ToTicks(names) } });
+  const pqOutputPort* cells = names.isEmpty() ? nullptr : this->Mesh->cellsPort();
+  return cells ? this->estimatedSeconds(
+                   ToTicks(names), TickedPreset, cells->getSourceProxy(), cells->getPortNumber())
+               : 0;
+}
+
+//------------------------------------------------------------------------------
+double pqMeshFilters::estimatedSeconds(
+  const QVariantList& ticks, const QString& preset, vtkSMSourceProxy* input, int port) const
+{
+  const camaron::Helper quality = this->Mesh->helpers().filter(
+    "ElementQuality", input, "Estimate", { { "Criteria", ticks }, { "Preset", preset } }, port);
   if (!quality)
   {
     return 0;
@@ -178,7 +188,7 @@ void pqMeshFilters::evaluate(const QStringList& names, const QString& elementTyp
     isOfCells ? ToTicks(names) : this->elementTicks(names, elementType) } };
   if (isOfCells)
   {
-    properties["Preset"] = QString("Ticked criteria");
+    properties["Preset"] = QString(TickedPreset);
   }
   // Only steps of selection may be in between: another filter may have changed the cells.
   const pqOutputPort* evaluated =
@@ -206,7 +216,7 @@ void pqMeshFilters::evaluateAlso(const QString& name)
     if (!this->Mesh->cellArrays().contains(name))
     {
       this->addFilter("ElementQuality",
-        { { "Criteria", ToTicks({ name }) }, { "Preset", QString("Ticked criteria") } });
+        { { "Criteria", ToTicks({ name }) }, { "Preset", QString(TickedPreset) } });
     }
     return;
   }

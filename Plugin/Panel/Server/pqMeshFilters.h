@@ -26,8 +26,13 @@ class pqMeshFilters : public QObject
 public:
   pqMeshFilters(pqInspectedMesh* mesh, pqMeshQuestions* questions, QObject* parent);
 
-  /// Estimated seconds for evaluating criteria; 0 if unknown.
+  ///@{
+  /// Estimated seconds for evaluating criteria of the mesh, or what Element Quality with these
+  /// criteria and this preset takes for an input; 0 if unknown.
   double estimatedSeconds(const QStringList& names) const;
+  double estimatedSeconds(
+    const QVariantList& ticks, const QString& preset, vtkSMSourceProxy* input, int port) const;
+  ///@}
 
   /**
    * Evaluates exactly these criteria of a type of elements, with the one Element Quality or Mesh
