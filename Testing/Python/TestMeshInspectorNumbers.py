@@ -119,6 +119,33 @@ with open(PATH, "w") as file:
         )
         self.assertEqual(colored.read_text(), "Temperature")
 
+    def test_outline(self):
+        """Of two other meshes with the same name, the histogram outlines the one that was chosen, in its own bins."""
+        meshes = {"a": (10.3, 20.1, 30.9), "b": (12.1, 33.1, 34.2), "c": (10.25, 20.5, 30.5, 40.25)}
+        for name, values in meshes.items():
+            (self.folder / name).mkdir()
+            write_row(self.folder / name / "row.vti", numpy.array(values), ("Temperature",))
+        outline = card("Histogram", "Outline")
+        self.require_events()
+        self.play(
+            *[
+                step
+                for name in meshes
+                for step in (*open_file(str(self.folder / name / "row.vti")), apply())
+            ],
+            show_inspector(),
+            event(card("Histogram", "Criterion"), "set_string", "Temperature"),
+            event(card("Histogram", "Bins"), "set_int", "2"),
+            check(PLOT, "binCounts", "2 2"),
+            check(PLOT, "outlineCounts", ""),
+            event(outline, "menu", "1"),
+            check(PLOT, "outlineCounts", "2 1"),
+            event(outline, "menu", "2"),
+            check(PLOT, "outlineCounts", "1 2"),
+            event(outline, "menu", "0"),
+            check(PLOT, "outlineCounts", ""),
+        )
+
     def values(self):
         """Integers from 0 to 100, which the edges of the bins are too, and values of no bin."""
         repeated = numpy.repeat(numpy.arange(101.0), 1 + numpy.arange(101) % 7)

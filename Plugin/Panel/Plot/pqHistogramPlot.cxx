@@ -16,6 +16,20 @@ using camaron::CumulativeCounts;
 using camaron::HistogramBrush;
 using camaron::HistogramData;
 
+namespace
+{
+//------------------------------------------------------------------------------
+QString SpellCounts(const HistogramData& data)
+{
+  QStringList counts;
+  for (int bin = 0; bin < data.GetNumberOfBins(); ++bin)
+  {
+    counts << QString::number(data.GetCount(data.GetColumnOfBin(bin)));
+  }
+  return counts.join(' ');
+}
+}
+
 //------------------------------------------------------------------------------
 pqHistogramPlot::pqHistogramPlot(QWidget* parent)
   : Superclass(parent)
@@ -130,12 +144,13 @@ double pqHistogramPlot::brushHigh() const
 //------------------------------------------------------------------------------
 QString pqHistogramPlot::binCounts() const
 {
-  QStringList counts;
-  for (int bin = 0; bin < this->data().GetNumberOfBins(); ++bin)
-  {
-    counts << QString::number(this->data().GetCount(this->data().GetColumnOfBin(bin)));
-  }
-  return counts.join(' ');
+  return SpellCounts(this->data());
+}
+
+//------------------------------------------------------------------------------
+QString pqHistogramPlot::outlineCounts() const
+{
+  return SpellCounts(this->Scene.Outline);
 }
 
 //------------------------------------------------------------------------------

@@ -35,8 +35,11 @@ class pqHistogramPlot : public QWidget
   Q_PROPERTY(double brushHigh READ brushHigh)
   ///@}
   Q_PROPERTY(qint64 brushedCount READ brushedCount)
-  /// Count of each bin, separated by blanks.
+  ///@{
+  /// Count of each bin, separated by blanks; of the data, and of the outline.
   Q_PROPERTY(QString binCounts READ binCounts)
+  Q_PROPERTY(QString outlineCounts READ outlineCounts)
+  ///@}
   /// Label and number of elements of each group.
   Q_PROPERTY(QString groupCounts READ groupCounts)
   ///@{
@@ -100,6 +103,7 @@ public:
   ///@}
 
   QString binCounts() const;
+  QString outlineCounts() const;
   QString groupCounts() const;
   double acceptableLow() const { return this->Scene.Low; }
   double acceptableHigh() const { return this->Scene.High; }
