@@ -4,7 +4,6 @@
 
 #include "InspectedMeshTypes.h"
 #include "NumberText.h"
-#include "ProxyValues.h"
 #include "ThresholdSelection.h"
 
 #include "pqActiveObjects.h"
@@ -17,7 +16,6 @@
 #include "vtkCommand.h"
 #include "vtkPVDataInformation.h"
 #include "vtkSMSessionProxyManager.h"
-#include "vtkSMSourceProxy.h"
 
 namespace
 {

@@ -11,7 +11,6 @@
 #include "ProxyValues.h"
 #include "ThresholdSelection.h"
 #include "pqInspectedMesh.h"
-#include "pqMeshQuestions.h"
 #include "pqMeshSelection.h"
 
 #include "pqActiveObjects.h"
@@ -100,7 +99,6 @@ pqMeshDisplay::pqMeshDisplay(
   pqInspectedMesh* mesh, pqMeshQuestions* questions, pqMeshSelection* selection, QObject* parent)
   : QObject(parent)
   , Mesh(mesh)
-  , Questions(questions)
   , Selection(selection)
   , Internal(std::make_unique<Internals>(mesh, questions, this))
 {

@@ -95,7 +95,6 @@ private:
   void followDisplay();
 
   pqInspectedMesh* Mesh;
-  pqMeshQuestions* Questions;
   pqMeshSelection* Selection;
 
   class Internals;

@@ -16,7 +16,6 @@
 #include "vtkPVDataInformation.h"
 #include "vtkPVDataSetAttributesInformation.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace
