@@ -245,13 +245,15 @@ void PolyMeshOutput::FindPatches(Warnings& warnings)
     }
     const FluentZone& zone = *this->Mesh.FindZone(section.Zone);
     const std::string name = section.IsMade ? DefaultPatch : zone.Name;
+    const int named = GetFluentBoundaryType(zone.Type); // some files number all faces as walls
+    const int boundary = named > 0 ? named : section.Type;
     const std::string type = !section.IsTyped ? "patch"
-      : section.Type == FluentBoundary::Wall  ? "wall"
-      : section.Type == Symmetry              ? "symmetry"
+      : boundary == FluentBoundary::Wall      ? "wall"
+      : boundary == Symmetry                  ? "symmetry"
                                               : "patch";
     const std::string group = section.IsTyped ? GetGroup(zone.Type) : "";
     this->Patches.push_back({ this->MakeName(name, used), type, group, begin, end });
-    if (section.Type == Periodic || section.Type == PeriodicShadow)
+    if (boundary == Periodic || boundary == PeriodicShadow)
     {
       coupled += (coupled.empty() ? "" : ", ") + name;
     }
