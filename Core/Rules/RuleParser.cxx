@@ -5,6 +5,7 @@
 #include "Base/Number.h"
 #include "Base/Text.h"
 #include "Rules/RuleLine.h"
+#include "Statistics/Population.h"
 #include "vtkCamaronCompat.h"
 
 #include <algorithm>
@@ -235,23 +236,6 @@ Scope TakeBlock(RuleLine& line)
 }
 
 //------------------------------------------------------------------------------
-// An integer of 64 bits; written with a point or an exponent, of so few digits that it is exact.
-std::optional<std::int64_t> ToInteger(const std::string& word)
-{
-  constexpr double mostExact = 9007199254740992; // 2^53
-  const char* const end = word.data() + word.size();
-  std::int64_t integer;
-  double number;
-  if (ParseInteger(word.data(), end, integer) == end)
-  {
-    return integer;
-  }
-  const bool isInteger = ParseReal(word.data(), end, number) == end &&
-    number == std::trunc(number) && std::abs(number) < mostExact;
-  return isInteger ? std::make_optional(static_cast<std::int64_t>(number)) : std::nullopt;
-}
-
-//------------------------------------------------------------------------------
 Scope TakeValue(RuleLine& line)
 {
   const std::string array = line.TakeName("the name of a cell array");
@@ -262,18 +246,13 @@ Scope TakeValue(RuleLine& line)
   line.Take();
   const std::string word = line.GetText();
   line.TakeNumber("an integer");
-  if (const std::optional<std::int64_t> integer = ToInteger(word))
-  {
-    return { ScopeKind::Array, std::to_string(*integer), array };
-  }
   const char* const end = word.data() + word.size();
-  std::uint64_t integer;
-  const auto parsed = std::from_chars(word.data(), end, integer);
-  if (parsed.ec == std::errc() && parsed.ptr == end)
+  double number; // may have a point or an exponent
+  if (ParseReal(word.data(), end, number) != end || !IsExactInteger(number))
   {
-    return { ScopeKind::Array, std::to_string(integer), array };
+    throw RuleError("expected an integer below 2^53, found '" + word + "'");
   }
-  throw RuleError("expected a 64-bit integer, found '" + word + "'");
+  return { ScopeKind::Array, std::to_string(static_cast<std::int64_t>(number)), array };
 }
 
 //------------------------------------------------------------------------------
@@ -313,7 +292,9 @@ Tolerance TakeTolerance(RuleLine& line)
     throw RuleError(
       "expected " + std::string(expected) + ", found '" + word + "'; did you mean " + word + "%?");
   }
-  return Tolerance::OfCells(ToInteger(digits).value_or(std::numeric_limits<std::int64_t>::max()));
+  // No mesh has as many cells as the largest number.
+  return Tolerance::OfCells(IsExactInteger(number) ? static_cast<std::int64_t>(number)
+                                                   : std::numeric_limits<std::int64_t>::max());
 }
 
 //------------------------------------------------------------------------------

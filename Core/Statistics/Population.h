@@ -9,23 +9,29 @@
 
 #include "Base/Parallel.h"
 #include "Criteria/Criterion.h"
-#include "Statistics/ExactValue.h"
 
 #include "vtkSMPTools.h" // for the number of threads
 #include "vtkType.h"     // for vtkIdType
 
 #include <algorithm> // for std::min
-#include <cstdint>   // for rests and shapes
+#include <cmath>     // for whole numbers
+#include <cstdint>   // for shapes
 #include <vector>    // for lists of blocks
 
 namespace camaron
 {
+/// Whether it is an integer below 2^53 in magnitude. Beyond, several integers are the same double:
+/// integer arrays that have such values are refused.
+inline bool IsExactInteger(double value)
+{
+  constexpr double limit = 9007199254740992; // 2^53
+  return std::abs(value) < limit && std::trunc(value) == value;
+}
+
 /// Values of consecutive elements of one array; all pointers are borrowed.
 struct ValueBlock
 {
   const double* Values = nullptr;
-  /// Remainders of integers that are not exact doubles (ExactValue.h); nullptr if all are exact.
-  const std::int16_t* Rests = nullptr;
   vtkIdType Size = 0;
   /// Elements with a nonzero entry do not belong to the population (ghosts, other groups).
   const unsigned char* Skip = nullptr;
@@ -40,20 +46,17 @@ struct ValueBlock
   unsigned JudgedShapes = 0;
 
   bool Contains(vtkIdType i) const { return !this->Skip || !this->Skip[i]; }
-  int GetRest(vtkIdType i) const { return this->Rests ? this->Rests[i] : 0; }
-  ExactValue GetExact(vtkIdType i) const { return { this->Values[i], this->GetRest(i) }; }
   /// Whether the acceptable range applies to the element; other elements are neither inside nor
   /// outside.
   bool IsJudged(vtkIdType i) const
   {
     return !this->Shapes || (this->Shapes[i] & this->JudgedShapes);
   }
-  /// The same elements with other values of type double.
+  /// The same elements with other values.
   ValueBlock WithValues(const double* values) const
   {
     ValueBlock block = *this;
     block.Values = values;
-    block.Rests = nullptr;
     return block;
   }
   vtkIdType GetId(vtkIdType i) const { return this->Ids ? this->Ids[i] : this->FirstId + i; }

@@ -9,7 +9,6 @@
 
 #include <array>
 #include <cmath>
-#include <tuple>
 
 namespace camaron
 {
@@ -61,7 +60,7 @@ void AddChunk(Totals& totals, const ValueBlock& block, vtkIdType begin, vtkIdTyp
   double min = totals.Min, max = totals.Max, minPositive = totals.MinPositive;
   std::int64_t count = 0, judged = 0, below = 0, above = 0;
   bool integers = totals.Counts.NonIntegerCount == 0;
-  totals.Sum.Reserve((block.Rests ? 2 : 1) * (end - begin));
+  totals.Sum.Reserve(end - begin);
   for (vtkIdType i = begin; i < end; ++i)
   {
     if (!block.Contains(i))
@@ -84,10 +83,6 @@ void AddChunk(Totals& totals, const ValueBlock& block, vtkIdType begin, vtkIdTyp
     above += isJudged && value > acceptable.High;
     integers = integers && IsInteger(value);
     totals.Sum.Add(value);
-    if (block.Rests)
-    {
-      totals.Sum.Add(block.Rests[i]);
-    }
   }
   totals.Min = min;
   totals.Max = max;
@@ -104,16 +99,15 @@ constexpr std::int64_t Summary::* Counts[] = { &Summary::Count, &Summary::Undefi
   &Summary::NotApplicableCount, &Summary::InfiniteCount, &Summary::BelowCount, &Summary::AboveCount,
   &Summary::NonIntegerCount, &Summary::JudgedCount, &Summary::JudgedUndefinedCount };
 
-// The element with the smallest id among those with the smallest remainder.
+// The element with the smallest id.
 struct FirstElement
 {
-  std::int64_t Rest = std::numeric_limits<std::int64_t>::max();
   vtkIdType Id = std::numeric_limits<vtkIdType>::max();
   ElementPlace Place;
 
   void Add(const FirstElement& other)
   {
-    if (std::tie(other.Rest, other.Id) < std::tie(this->Rest, this->Id))
+    if (other.Id < this->Id)
     {
       *this = other;
     }
@@ -169,11 +163,11 @@ void AddDeviations(Deviations& deviations, const ValueBlock& block, int blockNum
     }
     if (value == summary.Min)
     {
-      deviations.ArgMin.Add({ block.GetRest(i), block.GetId(i), { blockNumber, i } });
+      deviations.ArgMin.Add({ block.GetId(i), { blockNumber, i } });
     }
     if (value == summary.Max)
     {
-      deviations.ArgMax.Add({ -block.GetRest(i), block.GetId(i), { blockNumber, i } });
+      deviations.ArgMax.Add({ block.GetId(i), { blockNumber, i } });
     }
   }
 }
@@ -261,7 +255,6 @@ Summary Summarize(
   {
     return summary;
   }
-  summary.HasMoments = true;
 
   // Measure deviations in a power of two near the largest magnitude, so that squares neither
   // overflow nor underflow. The limit keeps the unit of denormal numbers in range.
@@ -285,22 +278,15 @@ Summary Summarize(
     argMax.Add(part.ArgMax);
   }
   totals.Reduce(reducer);
-  std::int64_t rests[2] = { argMin.Rest, argMax.Rest };
-  reducer.Min(rests, 2);
-  constexpr std::int64_t none = std::numeric_limits<std::int64_t>::max();
-  std::int64_t ids[2] = { argMin.Rest == rests[0] ? argMin.Id : none,
-    argMax.Rest == rests[1] ? argMax.Id : none };
-  const std::int64_t own[2] = { ids[0], ids[1] };
+  std::int64_t ids[2] = { argMin.Id, argMax.Id };
   reducer.Min(ids, 2);
 
   if (summary.GetFiniteCount() > 0)
   {
-    summary.MinRest = static_cast<int>(rests[0]);
-    summary.MaxRest = static_cast<int>(-rests[1]);
     summary.ArgMin = static_cast<vtkIdType>(ids[0]);
     summary.ArgMax = static_cast<vtkIdType>(ids[1]);
-    summary.ArgMinPlace = own[0] == summary.ArgMin ? argMin.Place : ElementPlace();
-    summary.ArgMaxPlace = own[1] == summary.ArgMax ? argMax.Place : ElementPlace();
+    summary.ArgMinPlace = argMin.Id == summary.ArgMin ? argMin.Place : ElementPlace();
+    summary.ArgMaxPlace = argMax.Id == summary.ArgMax ? argMax.Place : ElementPlace();
     SetMoments(totals, exponent, summary);
   }
   return summary;

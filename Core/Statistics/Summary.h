@@ -59,8 +59,7 @@ struct Summary
   /// Of the finite values; NaN if there are none, the deviations also if there is only one.
   double Min = NaN;
   double Max = NaN;
-  int MinRest = 0, MaxRest = 0; ///< remainders of integers, see ExactValue; 0 without moments
-  double MinPositive = NaN;     ///< smallest positive value
+  double MinPositive = NaN; ///< smallest positive value
   double Mean = NaN;
   double StandardDeviation = NaN; ///< divisor count - 1
   double Variance = NaN;
@@ -72,7 +71,6 @@ struct Summary
   ///@}
 
   ///@{
-  bool HasMoments = false; ///< whether the second pass was made
   /// Smallest id among the elements with the smallest and the largest finite value, or -1.
   vtkIdType ArgMin = -1;
   vtkIdType ArgMax = -1;
@@ -81,7 +79,7 @@ struct Summary
 };
 
 /// Collective. Two passes over the values; without moments one, which leaves the deviations, the
-/// other means, remainders and the smallest ids unknown.
+/// other means and the smallest ids unknown.
 Summary Summarize(const Population& population, const ValueRange& acceptable, Reducer& reducer,
   bool hasMoments = true);
 }

@@ -15,10 +15,8 @@ namespace camaron
 namespace
 {
 //------------------------------------------------------------------------------
-void AddChange(const ExactValue& from, const ExactValue& to, Better better, double tolerance,
-  ValueChanges& changes)
+void AddChange(double before, double after, Better better, double tolerance, ValueChanges& changes)
 {
-  const double before = from.Value, after = to.Value;
   const bool wasNull = std::isnan(before), isNull = std::isnan(after);
   if (wasNull && isNull)
   {
@@ -33,15 +31,14 @@ void AddChange(const ExactValue& from, const ExactValue& to, Better better, doub
   // Halves, because the difference of two numbers may be out of range; infinities are unchanged if
   // equal.
   const double limit = tolerance * std::max(std::abs(before), std::abs(after)) / 2;
-  const bool areClose =
-    std::isfinite(limit) && std::abs(after / 2 - before / 2 + (to.Rest - from.Rest) / 2.0) <= limit;
-  if (from == to || areClose)
+  const bool areClose = std::isfinite(limit) && std::abs(after / 2 - before / 2) <= limit;
+  if (before == after || areClose)
   {
     ++changes.Unchanged;
   }
   else if (better != Better::Neither)
   {
-    ++((from < to) == (better == Better::Bigger) ? changes.Improved : changes.Worsened);
+    ++((before < after) == (better == Better::Bigger) ? changes.Improved : changes.Worsened);
   }
 }
 }
@@ -59,7 +56,7 @@ ValueChanges CountChanges(const Population& before, const Population& after, Bet
            {
              if (block.Contains(i))
              {
-               AddChange(other.GetExact(i), block.GetExact(i), better, tolerance, changes);
+               AddChange(other.Values[i], block.Values[i], better, tolerance, changes);
              }
            }
          }))
@@ -79,8 +76,8 @@ void FindDifferences(const ValueBlock& before, const ValueBlock& after, vtkIdTyp
 {
   for (vtkIdType i = begin; i < end; ++i)
   {
-    const ExactValue from = before.GetExact(i), to = after.GetExact(i);
-    differences[i] = from == to ? 0 : to.Value - from.Value + (to.Rest - from.Rest);
+    const double from = before.Values[i], to = after.Values[i];
+    differences[i] = from == to ? 0 : to - from;
   }
 }
 

@@ -24,10 +24,6 @@ struct IsWorse
     {
       return (a.Value > b.Value) == (this->End == WorstEnd::Largest);
     }
-    if (a.Rest != b.Rest)
-    {
-      return (a.Rest > b.Rest) == (this->End == WorstEnd::Largest);
-    }
     return a.Id < b.Id;
   }
 };
@@ -92,7 +88,6 @@ public:
       }
       WorstElement element;
       element.Value = block.Values[i] + 0.0; // -0 becomes 0
-      element.Rest = block.GetRest(i);
       element.Id = block.GetId(i);
       element.Index = i;
       element.Block = static_cast<int>(&block - population.data());
@@ -159,13 +154,12 @@ bool WorstLimit::Contains(const ValueBlock& block, vtkIdType i) const
   {
     return false;
   }
-  const std::int64_t key = ToKey(value), rest = block.GetRest(i);
-  if (key == this->Key && rest == this->Rest)
+  const std::int64_t key = ToKey(value);
+  if (key == this->Key)
   {
     return block.GetId(i) <= this->LastId;
   }
-  return (key != this->Key ? key > this->Key : rest > this->Rest) ==
-    (this->End == WorstEnd::Largest);
+  return (key > this->Key) == (this->End == WorstEnd::Largest);
 }
 
 namespace
@@ -189,15 +183,6 @@ Choice Choose(const Population& population, const GetKey& getKey, std::int64_t c
   { return getKey(block, i, key) && key != last && (key > last) == largest; };
   return { last, count - FindKeyRange(population, isBeyond, reducer).Count };
 }
-
-// Collective.
-bool HasRests(const Population& population, Reducer& reducer)
-{
-  std::int64_t hasRests = std::any_of(
-    population.begin(), population.end(), [](const ValueBlock& block) { return block.Rests; });
-  reducer.Max(&hasRests, 1);
-  return hasRests != 0;
-}
 }
 
 //------------------------------------------------------------------------------
@@ -219,28 +204,14 @@ WorstLimit FindWorstLimit(
   {
     return limit;
   }
-  Choice choice = Choose(population, getKey, limit.Count, largest, reducer);
+  const Choice choice = Choose(population, getKey, limit.Count, largest, reducer);
   limit.Key = choice.Key;
-  const auto isTied = [&](const ValueBlock& block, vtkIdType i)
-  {
-    std::int64_t key;
-    return getKey(block, i, key) && key == limit.Key;
-  };
-  if (HasRests(population, reducer))
-  {
-    const auto getRest = [&](const ValueBlock& block, vtkIdType i, std::int64_t& key)
-    {
-      key = block.GetRest(i);
-      return isTied(block, i);
-    };
-    choice = Choose(population, getRest, choice.Remaining, largest, reducer);
-    limit.Rest = choice.Key;
-  }
   // Of the elements with exactly that value, those with the smallest ids complete the list.
   const auto getId = [&](const ValueBlock& block, vtkIdType i, std::int64_t& key)
   {
+    const bool isTied = getKey(block, i, key) && key == limit.Key;
     key = block.GetId(i);
-    return isTied(block, i) && block.GetRest(i) == limit.Rest;
+    return isTied;
   };
   limit.LastId =
     static_cast<vtkIdType>(Choose(population, getId, choice.Remaining, false, reducer).Key);

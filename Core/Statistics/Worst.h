@@ -30,7 +30,6 @@ enum class WorstEnd
 struct WorstElement
 {
   double Value = 0;
-  int Rest = 0; ///< see ExactValue
   vtkIdType Id = -1;
   ///@{
   /// Location on the rank that owns the element: block of the population and index in the block.
@@ -61,7 +60,6 @@ struct WorstLimit
   std::int64_t Count = 0; ///< number of elements in the list
   WorstEnd End = WorstEnd::Largest;
   std::int64_t Key = 0;  ///< key of the last value, see OrderedKey.h
-  std::int64_t Rest = 0; ///< remainder of the last value
   vtkIdType LastId = -1; ///< id of the last element
 
   bool Contains(const ValueBlock& block, vtkIdType i) const;

@@ -27,19 +27,18 @@ std::string GetLabel(const std::string& blockName)
 
 //------------------------------------------------------------------------------
 // The integers that the array has for the cells of a scope.
-std::vector<ExactValue> GetValuesOfScope(const Scope& scope)
+std::vector<double> GetValuesOfScope(const Scope& scope)
 {
-  std::vector<ExactValue> values;
+  std::vector<double> values;
   if (scope.Kind == ScopeKind::Array)
   {
-    values.resize(1);
-    ParseInteger(scope.Value, values[0]);
+    values.push_back(static_cast<double>(std::stoll(scope.Value)));
   }
   else if (scope.Kind == ScopeKind::Family)
   {
     for (const int family : scope.GetFamilyIds())
     {
-      values.push_back({ static_cast<double>(family) });
+      values.push_back(family);
     }
   }
   else
@@ -48,7 +47,7 @@ std::vector<ExactValue> GetValuesOfScope(const Scope& scope)
     {
       if (GetCellClassName(type) == "vtk" + scope.Value)
       {
-        values.push_back({ static_cast<double>(type) });
+        values.push_back(type);
       }
     }
   }
@@ -192,7 +191,8 @@ void CheckScopes(const std::vector<Rule>& rules, const std::vector<DataSetLeaf>&
 }
 
 //------------------------------------------------------------------------------
-CheckedCells::CheckedCells(const std::optional<Scope>& scope, const ElementBlocks& blocks)
+CheckedCells::CheckedCells(
+  const std::optional<Scope>& scope, const ElementBlocks& blocks, Reducer& reducer)
   : IsInside(blocks.Get().size(), !scope || scope->Kind == ScopeKind::Elements)
   , Skips(blocks.Get().size())
 {
@@ -208,8 +208,8 @@ CheckedCells::CheckedCells(const std::optional<Scope>& scope, const ElementBlock
   {
     return;
   }
-  const std::vector<ExactValue> wanted = GetValuesOfScope(*scope);
-  const BlockValues values(blocks, GetArrayOfScope(*scope));
+  const std::vector<double> wanted = GetValuesOfScope(*scope);
+  const BlockValues values(blocks, GetArrayOfScope(*scope), reducer);
   for (std::size_t i = 0; i < values.Get().size(); ++i)
   {
     const ValueBlock& block = values.Get()[i];
@@ -221,7 +221,7 @@ CheckedCells::CheckedCells(const std::optional<Scope>& scope, const ElementBlock
       [&](vtkIdType cell)
       {
         skip[cell] = !block.Contains(cell) ||
-          std::find(wanted.begin(), wanted.end(), block.GetExact(cell)) == wanted.end();
+          std::find(wanted.begin(), wanted.end(), block.Values[cell]) == wanted.end();
       });
   }
 }

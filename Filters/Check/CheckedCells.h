@@ -40,8 +40,9 @@ void CheckScopes(const std::vector<Rule>& rules, const std::vector<DataSetLeaf>&
 class CheckedCells
 {
 public:
-  /// @a scope: none means all cells; so do the other elements, whose blocks are @a blocks then.
-  CheckedCells(const std::optional<Scope>& scope, const ElementBlocks& blocks);
+  /// Collective. @a scope: none means all cells; so do the other elements, whose blocks are
+  /// @a blocks then. Throws as BlockValues does.
+  CheckedCells(const std::optional<Scope>& scope, const ElementBlocks& blocks, Reducer& reducer);
 
   /// The part of @a values in the scope; valid as long as this object and the values.
   Population Restrict(const BlockValues& values) const;

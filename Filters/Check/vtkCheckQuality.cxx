@@ -350,11 +350,11 @@ bool vtkCheckQuality::Check(vtkDataObject* input, const camaron::ParsedRules& pa
   {
     const int port = GetElementsPort(parsed.Rules[sameCells[0]]);
     const camaron::ElementBlocks& own = port < 0 ? blocks : others[port];
-    const camaron::CheckedCells cells(parsed.Rules[sameCells[0]].Scope, own);
+    const camaron::CheckedCells cells(parsed.Rules[sameCells[0]].Scope, own, reducer);
     for (const auto& sameCriterion :
       GroupRules(sameCells, [&](std::size_t i) { return parsed.Rules[i].Criterion; }))
     {
-      const camaron::BlockValues values(own, parsed.Rules[sameCriterion[0]].Criterion);
+      const camaron::BlockValues values(own, parsed.Rules[sameCriterion[0]].Criterion, reducer);
       std::vector<const camaron::Rule*> rules;
       for (const std::size_t i : sameCriterion)
       {

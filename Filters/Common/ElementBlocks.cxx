@@ -15,8 +15,10 @@
 #include "Selection/SharedElements.h"
 #include "vtkCamaronCompat.h"
 
+#include "vtkArrayDispatch.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
+#include "vtkDataArrayRange.h"
 #include "vtkDataObjectTree.h"
 #include "vtkDataSet.h"
 #include "vtkDataSetAttributes.h"
@@ -29,9 +31,12 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
+#include <atomic>
+#include <cstdint>
 #include <limits>
 #include <stdexcept>
 #include <tuple>
+#include <type_traits>
 
 namespace camaron
 {
@@ -172,23 +177,19 @@ vtkDataArray* ElementBlock::GetArray(const std::string& name) const
   return array && array->GetNumberOfComponents() == 1 ? array : nullptr;
 }
 
-namespace
-{
 //------------------------------------------------------------------------------
-// Returns a vtkIdTypeArray, or nullptr if there are no ids or vtkIdType cannot represent them.
-vtkSmartPointer<vtkDataArray> ToIds(vtkDataArray* array)
+vtkSmartPointer<vtkIdTypeArray> ToIds(vtkDataArray* array)
 {
   if (!array || vtkIdTypeArray::FastDownCast(array))
   {
-    return array;
+    return vtkIdTypeArray::FastDownCast(array);
   }
   auto ids = vtkSmartPointer<vtkIdTypeArray>::New();
   ids->DeepCopy(array);
   const vtkIdType *begin = ids->GetPointer(0), *end = begin + ids->GetNumberOfValues();
-  const bool fits =
-    !IsUnsigned(array) || std::all_of(begin, end, [](vtkIdType id) { return id >= 0; });
-  return fits ? vtkSmartPointer<vtkDataArray>(ids) : nullptr;
-}
+  const bool isUnsigned = array->GetDataTypeMin() == 0;
+  const bool fits = !isUnsigned || std::all_of(begin, end, [](vtkIdType id) { return id >= 0; });
+  return fits ? ids : nullptr;
 }
 
 //------------------------------------------------------------------------------
@@ -417,6 +418,70 @@ void ElementBlocks::Restrict(const std::vector<std::vector<unsigned char>>& mark
   }
 }
 
+namespace
+{
+//------------------------------------------------------------------------------
+// Whether the array has an integer of 2^53 or more in magnitude.
+struct FindInexactInteger
+{
+  std::atomic<bool> Found = false;
+
+  template <typename Array>
+  void operator()(Array* array)
+  {
+    const auto values = vtk::DataArrayValueRange(array);
+    using Value = typename decltype(values)::ValueType;
+    constexpr auto limit = static_cast<Value>(9007199254740992); // 2^53
+    ParallelFor(values.size(), LightGrain,
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        bool found = false;
+        for (vtkIdType i = begin; i < end; ++i)
+        {
+          const Value value = values[i];
+          found |= value >= limit || (std::is_signed_v<Value> && value <= -limit);
+        }
+        if (found)
+        {
+          this->Found = true;
+        }
+      });
+  }
+};
+
+//------------------------------------------------------------------------------
+bool HasExactIntegers(vtkDataArray* array)
+{
+  using LongIntegers = vtkTypeList::Create<long, unsigned long, long long, unsigned long long>;
+  FindInexactInteger find;
+  if (array->IsIntegral() && array->GetDataTypeSize() == sizeof(std::int64_t) &&
+    !vtkArrayDispatch::DispatchByValueType<LongIntegers>::Execute(array, find))
+  {
+    find(array);
+  }
+  return !find.Found;
+}
+}
+
+//------------------------------------------------------------------------------
+void ElementBlocks::RequireExactIntegers(
+  ElementKind kind, const std::string& arrayName, Reducer& reducer) const
+{
+  std::int64_t hasOthers = 0;
+  for (const ElementBlock& block : this->Blocks)
+  {
+    vtkDataArray* array =
+      block.Data->GetAttributes(static_cast<int>(kind))->GetArray(arrayName.c_str());
+    hasOthers |= array && !HasExactIntegers(array);
+  }
+  reducer.Max(&hasOthers, 1);
+  if (hasOthers)
+  {
+    throw std::invalid_argument("the array '" + arrayName +
+      "' has integers beyond 2^53, which double precision cannot tell apart");
+  }
+}
+
 //------------------------------------------------------------------------------
 ValueBlock ElementBlocks::GetValueBlock(const ElementBlock& block) const
 {
@@ -482,8 +547,10 @@ void SetNulls(const ElementBlock& block, vtkDoubleArray* values)
 }
 
 //------------------------------------------------------------------------------
-BlockValues::BlockValues(const ElementBlocks& blocks, const std::string& arrayName)
+BlockValues::BlockValues(
+  const ElementBlocks& blocks, const std::string& arrayName, Reducer& reducer)
 {
+  blocks.RequireExactIntegers(blocks.GetKind(), arrayName, reducer);
   for (std::size_t number = 0; number < blocks.Get().size(); ++number)
   {
     const ElementBlock& block = blocks.Get()[number];
@@ -492,7 +559,6 @@ BlockValues::BlockValues(const ElementBlocks& blocks, const std::string& arrayNa
     {
       continue;
     }
-    this->Rests.push_back(GetRests(array));
     if (!vtkDoubleArray::FastDownCast(array))
     {
       const vtkSmartPointer<vtkDoubleArray> doubles = ToDoubles(array);
@@ -502,7 +568,6 @@ BlockValues::BlockValues(const ElementBlocks& blocks, const std::string& arrayNa
     this->Owners.push_back(array);
     ValueBlock values = blocks.GetValueBlock(block);
     values.Values = vtkDoubleArray::FastDownCast(array)->GetPointer(0);
-    values.Rests = this->Rests.back().empty() ? nullptr : this->Rests.back().data();
     if (auto* mask = vtkUnsignedCharArray::SafeDownCast(block.GetArray(arrayName + "_Undefined")))
     {
       values.NullReasons = mask->GetPointer(0);
@@ -510,13 +575,6 @@ BlockValues::BlockValues(const ElementBlocks& blocks, const std::string& arrayNa
     this->Values.push_back(values);
     this->Numbers.push_back(number);
   }
-}
-
-//------------------------------------------------------------------------------
-bool BlockValues::HasRests() const
-{
-  return std::any_of(this->Rests.begin(), this->Rests.end(),
-    [](const std::vector<std::int16_t>& rests) { return !rests.empty(); });
 }
 
 //------------------------------------------------------------------------------
@@ -532,7 +590,7 @@ void BlockValues::SetShapes(const std::vector<std::vector<std::uint16_t>>& shape
 //------------------------------------------------------------------------------
 BlockWeights::BlockWeights(
   const ElementBlocks& blocks, const std::string& arrayName, Reducer& reducer)
-  : Values(blocks, arrayName)
+  : Values(blocks, arrayName, reducer)
   , Unit(FindWeightUnit(this->Values.Get(), reducer))
 {
   vtkIdType largest = 0;

@@ -35,6 +35,7 @@
 class vtkDataArray;
 class vtkDataSetAttributes;
 class vtkDoubleArray;
+class vtkIdTypeArray;
 
 namespace camaron
 {
@@ -90,6 +91,9 @@ struct ElementBlock : DataSetLeaf
 /// The bits of vtkGhostType that mark an element of that type as a ghost.
 unsigned char GetGhostMask(ElementKind kind);
 
+/// The ids as vtkIdType; nullptr if there are none or vtkIdType cannot represent them.
+vtkSmartPointer<vtkIdTypeArray> ToIds(vtkDataArray* array);
+
 class ElementBlocks
 {
 public:
@@ -112,6 +116,9 @@ public:
   /// Collective. Throws std::invalid_argument(@a message) on all processes if @a count is 0 on all
   /// of them although there are elements.
   void RequireAny(std::size_t count, const std::string& message, Reducer& reducer) const;
+  /// Collective. Throws std::invalid_argument on all processes if an array of cells or points has
+  /// integers of 2^53 or more in magnitude, because values are compared as doubles.
+  void RequireExactIntegers(ElementKind kind, const std::string& arrayName, Reducer& reducer) const;
 
   /// Skips the elements that are not marked from now on. @a marks: one list per block.
   void Restrict(const std::vector<std::vector<unsigned char>>& marks);
@@ -139,21 +146,19 @@ private:
 class BlockValues
 {
 public:
-  BlockValues(const ElementBlocks& blocks, const std::string& arrayName);
+  /// Collective. Throws as RequireExactIntegers does.
+  BlockValues(const ElementBlocks& blocks, const std::string& arrayName, Reducer& reducer);
   BlockValues(BlockValues&&) = default; // a copy would borrow from the original
 
   const Population& Get() const { return this->Values; }
   /// For each block of the population its position in ElementBlocks::Get().
   const std::vector<std::size_t>& GetBlockNumbers() const { return this->Numbers; }
-  /// Whether some values on this process are integers that double cannot represent.
-  bool HasRests() const;
   /// Borrows the shapes of the elements, one list per block, and sets the shapes to which the
   /// acceptable range applies.
   void SetShapes(const std::vector<std::vector<std::uint16_t>>& shapes, unsigned judged);
 
 private:
   Population Values;
-  std::vector<std::vector<std::int16_t>> Rests;
   std::vector<std::size_t> Numbers;
   std::vector<vtkSmartPointer<vtkDataArray>> Owners;
 };
@@ -162,7 +167,8 @@ private:
 class BlockWeights
 {
 public:
-  /// Collective. Throws std::invalid_argument on all processes if no process has the array.
+  /// Collective. Throws std::invalid_argument on all processes if no process has the array, and as
+  /// RequireExactIntegers does.
   BlockWeights(const ElementBlocks& blocks, const std::string& arrayName, Reducer& reducer);
 
   /// The weights for each block of @a values; 0 in blocks without the array.

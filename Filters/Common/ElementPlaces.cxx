@@ -10,6 +10,7 @@
 #include "vtkIdList.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkVariant.h"
 
 #include <algorithm>
 #include <cmath>
@@ -153,19 +154,19 @@ std::string ElementVertices::Describe(const ElementBlock& block, vtkIdType cell)
   vtkNew<vtkIdList> points;
   block.Data->GetCellPoints(cell, points);
   vtkDataArray* global = this->HaveGlobalIds ? block.Data->GetPointData()->GetGlobalIds() : nullptr;
-  std::vector<ExactValue> ids;
+  std::vector<std::int64_t> ids;
   for (const vtkIdType point : *points)
   {
-    ids.push_back(global ? GetExact(global, point) : ToExact(static_cast<std::int64_t>(point)));
+    ids.push_back(global ? global->GetVariantValue(point).ToTypeInt64() : point);
   }
   if (block.Data->GetCellType(cell) == VTK_POLYHEDRON)
   {
     std::sort(ids.begin(), ids.end());
   }
   std::string text;
-  for (const ExactValue& id : ids)
+  for (const std::int64_t id : ids)
   {
-    text += (text.empty() ? "" : " ") + ToText(id);
+    text += (text.empty() ? "" : " ") + std::to_string(id);
   }
   return text;
 }

@@ -295,12 +295,8 @@ void vtkCompareQuality::AddRows(
   for (std::size_t i = 0; i < arrays.size(); ++i)
   {
     const camaron::Criterion* criterion = camaron::FindCriterion(arrays[i].Name);
-    camaron::BlockValues values[2] = { { blocks[0], arrays[i].Name },
-      { blocks[1], arrays[i].Name } };
-    for (const camaron::BlockValues& ofMesh : values)
-    {
-      this->NoteRounding(arrays[i].Name, ofMesh.HasRests(), reducer);
-    }
+    camaron::BlockValues values[2] = { { blocks[0], arrays[i].Name, reducer },
+      { blocks[1], arrays[i].Name, reducer } };
     camaron::ArrayComparison comparison;
     comparison.Name = arrays[i].Name;
     comparison.Unit = arrays[i].Unit;

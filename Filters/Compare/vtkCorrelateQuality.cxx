@@ -114,14 +114,15 @@ std::vector<double> FromCells(vtkDataArray* array)
 struct CellField
 {
   std::vector<std::vector<double>> Values; ///< one list per block, empty without the array
-  bool HasRests = false;                   ///< some are integers that double cannot represent
 };
 
 //------------------------------------------------------------------------------
-// Collective. Throws std::invalid_argument on all processes if no process has the array.
+// Collective. Throws std::invalid_argument on all processes if no process has the array, or it has
+// integers that are no exact doubles.
 CellField FindCellField(
   const ElementBlocks& blocks, const std::string& name, bool isOfPoints, Reducer& reducer)
 {
+  blocks.RequireExactIntegers(isOfPoints ? ElementKind::Points : ElementKind::Cells, name, reducer);
   CellField field;
   std::size_t numberOfArrays = 0;
   for (const ElementBlock& block : blocks.Get())
@@ -130,7 +131,6 @@ CellField FindCellField(
       block.Data->GetAttributes(isOfPoints ? vtkDataObject::POINT : vtkDataObject::CELL)
         ->GetArray(name.c_str());
     numberOfArrays += array != nullptr;
-    field.HasRests = field.HasRests || (array && !GetRests(array).empty());
     field.Values.push_back(!array ? std::vector<double>()
         : isOfPoints              ? FromPoints(block.Data, array)
                                   : FromCells(array));
@@ -477,7 +477,6 @@ void vtkCorrelateQuality::AddRows(
   const auto [isOfPoints, name] = ChooseField(this->GetInputArrayInformation(0), blocks, reducer);
   const std::string fieldName = name + "_Cells";
   const camaron::CellField field = camaron::FindCellField(blocks, name, isOfPoints, reducer);
-  this->NoteRounding(name, field.HasRests, reducer);
   std::vector<std::string> missing;
   const std::vector<camaron::StatisticsArray> arrays =
     camaron::ChooseArrays(camaron::FindArrays(blocks, reducer), this->Arrays, missing);
@@ -494,8 +493,7 @@ void vtkCorrelateQuality::AddRows(
     FieldRanks fieldRanks;
     for (std::size_t a = 0; a < arrays.size(); ++a)
     {
-      camaron::BlockValues values(blocks, arrays[a].Name);
-      this->NoteRounding(arrays[a].Name, values.HasRests(), reducer);
+      camaron::BlockValues values(blocks, arrays[a].Name, reducer);
       const auto acceptable = ranges.Find(arrays[a].Name, arrays[a].Unit);
       shapes.Judge(values, acceptable);
       const Pairs pairs(groups.GetPopulation(group, values), values, field);

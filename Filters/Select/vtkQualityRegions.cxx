@@ -29,7 +29,6 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
-#include <tuple>
 
 vtkStandardNewMacro(vtkQualityRegions);
 
@@ -97,7 +96,7 @@ public:
   explicit RegionFinder(const SelectionTask& task)
     : Task(task)
     , Values(FindValues(task))
-    , Volumes(task.Blocks, "Volume")
+    , Volumes(task.Blocks, "Volume", task.Reducer)
     , Range(FindRange(task))
     , End(FindWorstEnd(task.GetArrayName()))
     , Marks(MakeMarks(task.Blocks))
@@ -143,9 +142,8 @@ private:
   {
     std::int64_t Region = -1; ///< -1: no cells
     ///@{
-    /// The worst cell. The larger the key, then the rest, then the smaller the id, the worse.
+    /// The worst cell. The larger the key, then the smaller the id, the worse.
     std::int64_t Key = LeastKey;
-    int Rest = 0;
     vtkIdType Id = std::numeric_limits<vtkIdType>::max();
     double Value = 0;
     int BlockNumber = -1;
@@ -157,11 +155,9 @@ private:
     void Add(const Part& other)
     {
       this->Region = other.Region;
-      const auto order = [](const Part& part) { return std::make_tuple(part.Key, part.Rest); };
-      if (order(*this) < order(other) || (order(*this) == order(other) && other.Id < this->Id))
+      if (this->Key < other.Key || (this->Key == other.Key && other.Id < this->Id))
       {
         this->Key = other.Key;
-        this->Rest = other.Rest;
         this->Id = other.Id;
         this->Value = other.Value;
         this->BlockNumber = other.BlockNumber;
@@ -205,28 +201,21 @@ private:
   // Undefined values are less bad than all others.
   Part GetPart(const ValueBlock& block, vtkIdType cell) const
   {
-    const ExactValue value = block.GetExact(cell);
+    const double value = block.Values[cell];
     Part part;
     part.Id = block.GetId(cell);
-    part.Value = value.Value;
-    if (std::isnan(value.Value))
+    part.Value = value;
+    if (std::isnan(value))
     {
       return part;
     }
     if (!this->End)
     {
-      part.Key =
-        ToKey(std::max(this->Range.Low.Value - value.Value, value.Value - this->Range.High.Value));
-    }
-    else if (*this->End == WorstEnd::Largest)
-    {
-      part.Key = ToKey(value.Value);
-      part.Rest = value.Rest;
+      part.Key = ToKey(std::max(this->Range.Low - value, value - this->Range.High));
     }
     else
     {
-      part.Key = ~ToKey(value.Value);
-      part.Rest = -value.Rest;
+      part.Key = *this->End == WorstEnd::Largest ? ToKey(value) : ~ToKey(value);
     }
     return part;
   }
@@ -305,7 +294,7 @@ private:
 
   const SelectionTask& Task;
   BlockValues Values, Volumes;
-  ExactRange Range;
+  AcceptableRange Range;
   std::optional<WorstEnd> End;
   std::vector<const ValueBlock*> ValuesOfBlocks, VolumesOfBlocks; // nullptr without the array
   SelectionMarks Marks;

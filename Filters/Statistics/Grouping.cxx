@@ -44,9 +44,9 @@ public:
 
   /// The number of a key. Adds a new key, but at most one more than MaxSize, so that the caller
   /// notices the excess; then NoGroup.
-  int GetNumber(const ExactValue& key)
+  int GetNumber(double key)
   {
-    if (this->Last == NoGroup || !(this->Keys[this->Last] == key))
+    if (this->Last == NoGroup || this->Keys[this->Last] != key)
     {
       if (this->Keys.size() > this->MaxSize && this->Numbers.count(key) == 0)
       {
@@ -62,12 +62,12 @@ public:
     return this->Last;
   }
 
-  const std::vector<ExactValue>& Get() const { return this->Keys; }
+  const std::vector<double>& Get() const { return this->Keys; }
 
 private:
   std::size_t MaxSize;
-  std::map<ExactValue, int> Numbers;
-  std::vector<ExactValue> Keys;
+  std::map<double, int> Numbers;
+  std::vector<double> Keys;
   int Last = NoGroup;
 };
 
@@ -106,14 +106,14 @@ void NumberCellTypes(
     if (!block.IsGhost(cell))
     {
       const int type = hasView ? mesh.GetCellType(cell) : block.Data->GetCellType(cell);
-      numbers[cell] = keys.GetNumber({ static_cast<double>(type) });
+      numbers[cell] = keys.GetNumber(type);
     }
   }
 }
 
-std::string GetTypeLabelOfKey(const ElementBlock&, const ExactValue& cellType)
+std::string GetTypeLabelOfKey(const ElementBlock&, double cellType)
 {
-  return GetCellTypeLabel(static_cast<int>(cellType.Value));
+  return GetCellTypeLabel(static_cast<int>(cellType));
 }
 
 //------------------------------------------------------------------------------
@@ -134,7 +134,7 @@ void NumberTexts(const ElementBlock& block, vtkStringArray* array,
     {
       place = std::lower_bound(texts.begin(), texts.end(), text) - texts.begin();
     }
-    numbers[i] = keys.GetNumber({ static_cast<double>(place) });
+    numbers[i] = keys.GetNumber(static_cast<double>(place));
   }
 }
 
@@ -156,19 +156,23 @@ void NumberArrayValues(
   }
   vtkNew<vtkDoubleArray> values;
   values->DeepCopy(array);
-  const std::vector<std::int16_t> rests = GetRests(array);
   for (std::size_t i = 0; i < numbers.size(); ++i)
   {
     const auto element = static_cast<vtkIdType>(i);
-    const ExactValue value{ values->GetValue(element), rests.empty() ? 0 : rests[i] };
-    if (IsInteger64(value) && !block.IsGhost(element))
+    const double value = values->GetValue(element);
+    if (IsExactInteger(value) && !block.IsGhost(element))
     {
       numbers[i] = keys.GetNumber(value);
     }
   }
 }
 
-std::string GetNumberLabel(const ElementBlock&, const ExactValue& key)
+std::string ToText(double integer)
+{
+  return std::to_string(static_cast<std::int64_t>(integer));
+}
+
+std::string GetNumberLabel(const ElementBlock&, double key)
 {
   return ToText(key);
 }
@@ -177,10 +181,10 @@ std::string GetNumberLabel(const ElementBlock&, const ExactValue& key)
 void NumberBlock(
   const ElementBlock& block, const GroupArray&, KeyList& keys, std::vector<int>& numbers)
 {
-  numbers.assign(1, keys.GetNumber({ static_cast<double>(block.Number) }));
+  numbers.assign(1, keys.GetNumber(block.Number));
 }
 
-std::string GetBlockLabel(const ElementBlock& block, const ExactValue&)
+std::string GetBlockLabel(const ElementBlock& block, double)
 {
   return block.Name.empty() ? "Block 0" : block.Name;
 }
@@ -194,7 +198,7 @@ struct Way
   /// are not used.
   void (*SetNumbers)(
     const ElementBlock& block, const GroupArray& array, KeyList& keys, std::vector<int>& numbers);
-  std::string (*GetLabel)(const ElementBlock& block, const ExactValue& key);
+  std::string (*GetLabel)(const ElementBlock& block, double key);
   std::size_t MaxNumberOfGroups; ///< more groups are an error
   bool IsForPoints;
 };
@@ -269,7 +273,7 @@ std::vector<std::string> FindTexts(
 }
 
 //------------------------------------------------------------------------------
-using Label = std::pair<ExactValue, std::string>; // an integer key and its label
+using Label = std::pair<double, std::string>; // an integer key and its label
 
 // Collective. The union over all processes, by key.
 std::vector<Label> GatherLabels(const std::set<Label>& labels, Reducer& reducer)
@@ -283,9 +287,7 @@ std::vector<Label> GatherLabels(const std::set<Label>& labels, Reducer& reducer)
   for (const std::string& name : reducer.GatherNames(names))
   {
     const std::size_t end = name.find(' ');
-    ExactValue key;
-    ParseInteger(name.substr(0, end), key);
-    all.emplace(key, name.substr(end + 1));
+    all.emplace(std::stoll(name), name.substr(end + 1));
   }
   return { all.begin(), all.end() };
 }
@@ -304,8 +306,8 @@ std::set<Label> FindValueNames(const ElementBlock& block, const std::string& arr
   {
     for (vtkIdType i = 0; i < ids->GetNumberOfTuples(); ++i)
     {
-      const ExactValue key = GetExact(ids, i);
-      if (IsInteger64(key) && !IsBlank(names->GetValue(i)))
+      const double key = ids->GetComponent(i, 0);
+      if (IsExactInteger(key) && !IsBlank(names->GetValue(i)))
       {
         found.emplace(key, names->GetValue(i));
       }
@@ -319,7 +321,7 @@ std::set<Label> FindValueNames(const ElementBlock& block, const std::string& arr
 // one, or reads as the label of another group, stands beside its number.
 void NameGroups(const std::vector<Label>& names, std::vector<Group>& groups)
 {
-  std::map<ExactValue, std::string> ofKeys;
+  std::map<double, std::string> ofKeys;
   for (const Label& name : names)
   {
     const auto [known, isNew] = ofKeys.emplace(name);
@@ -371,11 +373,12 @@ Grouping::Grouping(const std::string& name, const std::string& arrayName,
   if (way.SetNumbers == &NumberArrayValues)
   {
     this->ArrayName = FindArrayName(arrayName, blocks, reducer);
+    blocks.RequireExactIntegers(blocks.GetKind(), this->ArrayName, reducer);
     by = { this->ArrayName, FindTexts(this->ArrayName, blocks, way.MaxNumberOfGroups, reducer) };
     this->RefuseMany(by.Texts.size(), way.MaxNumberOfGroups);
     for (std::size_t i = 0; i < by.Texts.size(); ++i)
     {
-      valueNames.emplace(ExactValue{ static_cast<double>(i) }, by.Texts[i]);
+      valueNames.emplace(static_cast<double>(i), by.Texts[i]);
     }
   }
   KeyList keys(way.MaxNumberOfGroups);
@@ -408,7 +411,7 @@ Grouping::Grouping(const std::string& name, const std::string& arrayName,
   NameGroups(GatherLabels(valueNames, reducer), this->Groups);
   this->RefuseMany(this->Groups.size() - 1, way.MaxNumberOfGroups);
   std::vector<int> numbersOfKeys;
-  for (const ExactValue& key : keys.Get())
+  for (const double key : keys.Get())
   {
     const auto group = std::find_if(this->Groups.begin() + 1, this->Groups.end(),
       [&](const Group& candidate) { return candidate.Key == key; });
@@ -496,12 +499,12 @@ BlockNames GetBlockNames(const ElementBlocks& blocks, Reducer& reducer)
   std::set<Label> labels;
   for (const ElementBlock& block : blocks.Get())
   {
-    labels.emplace(ExactValue{ static_cast<double>(block.Number) }, block.Name);
+    labels.emplace(block.Number, block.Name);
   }
   BlockNames names;
   for (const Label& label : GatherLabels(labels, reducer))
   {
-    names.emplace_back(static_cast<int>(label.first.Value), label.second);
+    names.emplace_back(static_cast<int>(label.first), label.second);
   }
   return names;
 }

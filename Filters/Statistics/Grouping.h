@@ -21,7 +21,7 @@ namespace camaron
 struct Group
 {
   bool IsAll = false;
-  ExactValue Key; ///< an integer
+  double Key = 0; ///< an integer
   std::string Label;
 
   bool operator==(const Group& other) const
@@ -38,13 +38,13 @@ public:
    *
    * @param name "None", "Cell type" (not for points), "Block" or "Cell array"
    * @param arrayName for "Cell array": a one-component cell array, for points a point array, with
-   * one group per 64-bit integer that is one of its values, or per text, at most 1000. Empty on all
+   * one group per integer that is one of its values, or per text, at most 1000. Empty on all
    * processes: the first integer array, else the first array of numbers, else of texts. Labels are
    * the texts, in their order, and where the field data have arrays that name the values, such as
    * ZoneIds and ZoneNames for Zone, these names.
    *
    * Throws std::invalid_argument on all processes if @a name is unknown or not for this element
-   * type, or if there are too many groups.
+   * type, if there are too many groups, or as ElementBlocks::RequireExactIntegers does.
    */
   Grouping(const std::string& name, const std::string& arrayName, const ElementBlocks& blocks,
     Reducer& reducer);

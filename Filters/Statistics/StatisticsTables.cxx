@@ -15,13 +15,6 @@ namespace camaron
 namespace
 {
 //------------------------------------------------------------------------------
-// All digits of an integer if the array has integers; else an empty text.
-std::string ToTextIf(bool ofIntegers, const ExactValue& value)
-{
-  return ofIntegers && IsInteger64(value) ? ToText(value) : std::string();
-}
-
-//------------------------------------------------------------------------------
 TableRow MakeRow(const RowLabels& labels)
 {
   return { labels.Time, labels.Criterion, labels.Unit, labels.Group };
@@ -54,7 +47,6 @@ void AddStatisticsColumns(
   AddColumns<IntegerColumn>(
     table, { "JudgedCount", "JudgedUndefinedCount", "BelowCount", "AboveCount" });
   AddColumns<vtkDoubleArray>(table, { "OutOfRangePercent" });
-  AddColumns<vtkStringArray>(table, { "MinInteger", "MaxInteger" });
   if (!layout.WeightArray.empty())
   {
     const std::string badFraction = "Bad" + layout.WeightArray + "Fraction";
@@ -82,9 +74,6 @@ void AddStatisticsRow(vtkTable* table, const RowLabels& labels, const Summary& s
   row.Add(
     summary.JudgedCount, summary.JudgedUndefinedCount, summary.BelowCount, summary.AboveCount);
   row.Add(acceptable ? Percent(summary.BelowCount + summary.AboveCount, summary.JudgedCount) : NaN);
-  const bool knowsRests = labels.OfIntegers && summary.HasMoments;
-  row.Add(ToTextIf(knowsRests, { summary.Min, summary.MinRest }),
-    ToTextIf(knowsRests, { summary.Max, summary.MaxRest }));
   if (weighted)
   {
     row.Add(weighted->Weight, weighted->Mean, acceptable ? weighted->BadFraction : NaN);
@@ -139,7 +128,7 @@ void AddWorstColumns(vtkTable* table, const TableLayout& layout)
   AddColumns<IntegerColumn>(table, { "Rank", "Id" });
   AddColumns<vtkStringArray>(table, { "IdSpace", "Block", "CellType" });
   AddColumns<vtkDoubleArray>(table, { "Value", "X", "Y", "Z", "Size" });
-  AddColumns<vtkStringArray>(table, { "Vertices", "ValueInteger" });
+  AddColumns<vtkStringArray>(table, { "Vertices" });
   AddColumns<IntegerColumn>(table, { "Judged" });
 }
 
@@ -163,8 +152,7 @@ void AddWorstRows(vtkTable* table, const RowLabels& labels, bool hasRange,
     TableRow row = MakeRow(labels);
     row.Add(static_cast<std::int64_t>(i + 1));
     AddElement(row, element, labels.IdSpace, blockNames);
-    row.Add(vertices[i], ToTextIf(labels.OfIntegers, { element.Value, element.Rest }),
-      std::int64_t(hasRange && element.IsJudged));
+    row.Add(vertices[i], std::int64_t(hasRange && element.IsJudged));
     row.AppendTo(table);
   }
 }

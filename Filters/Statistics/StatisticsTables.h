@@ -32,7 +32,6 @@ struct RowLabels
   std::string Unit;
   std::string Group;
   std::string IdSpace;
-  bool OfIntegers = false;    ///< also write values as text with all digits
   std::optional<double> Time; ///< for tables with that column
 };
 

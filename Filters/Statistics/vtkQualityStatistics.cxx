@@ -288,8 +288,7 @@ void vtkQualityStatistics::AddRows(
     const auto worstEnd = camaron::FindWorstEnd(array.Name, settings.WorstValues);
     binSettings.OfIntegers = array.OfIntegers;
     binSettings.Range = ToBinRange(this->HistogramRange, this->CustomRange, acceptable);
-    camaron::BlockValues values(blocks, array.Name);
-    this->NoteRounding(array.Name, values.HasRests(), reducer);
+    camaron::BlockValues values(blocks, array.Name, reducer);
     const bool judgesSome = shapes.Judge(values, acceptable);
     camaron::Bins bins;
     GroupNumbers numbers;
@@ -324,7 +323,7 @@ void vtkQualityStatistics::AddRows(
           // All groups share the bins of all cells.
           bins = camaron::MakeBins(whole
               ? camaron::Summarize(
-                  camaron::BlockValues(*whole, array.Name).Get(), limits, reducer, false)
+                  camaron::BlockValues(*whole, array.Name, reducer).Get(), limits, reducer, false)
               : summary,
             binSettings);
         }
@@ -345,7 +344,7 @@ void vtkQualityStatistics::AddRows(
       if (isRoot)
       {
         const camaron::RowLabels labels{ array.Name, array.Unit, group.Label, blocks.GetIdSpace(),
-          array.OfIntegers, this->Steps->GetTime() };
+          this->Steps->GetTime() };
         camaron::AddStatisticsRow(vtkTable::GetData(outputVector, 0), labels, numbers.Totals,
           { numbers.Places[0], numbers.Places[1] }, numbers.Quantiles, acceptable,
           numbers.Weighted);

@@ -163,10 +163,6 @@ protected:
   void MakeColumns(vtkInformationVector* outputVector) override;
   void AddRows(vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
   const char* GetFailure() const override { return "The statistics cannot be computed"; }
-  const char* GetUnrounded() const override
-  {
-    return "; MinInteger, MaxInteger and ValueInteger contain all digits";
-  }
   const char* GetKindOfArrays() const override
   {
     return this->ElementType == "Points" ? "point" : "cell";

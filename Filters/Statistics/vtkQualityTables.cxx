@@ -72,7 +72,6 @@ int vtkQualityTables::RequestData(
   if (this->Steps->IsFirst())
   {
     this->Found->Clear();
-    this->Rounded.clear();
     this->MakeColumns(outputVector);
   }
   try
@@ -98,30 +97,8 @@ int vtkQualityTables::RequestData(
     {
       vtkWarningMacro(<< lacking);
     }
-    if (!this->Rounded.empty() && isRoot)
-    {
-      std::string names;
-      for (const std::string& name : this->Rounded)
-      {
-        names += (names.empty() ? "" : ", ") + name;
-      }
-      vtkWarningMacro("There are integers beyond 2^53 in "
-        << names << ": numeric columns contain the nearest doubles" << this->GetUnrounded() << '.');
-    }
   }
   return 1;
-}
-
-//------------------------------------------------------------------------------
-void vtkQualityTables::NoteRounding(
-  const std::string& name, bool isRounded, camaron::Reducer& reducer)
-{
-  std::int64_t isRoundedAnywhere = isRounded;
-  reducer.Max(&isRoundedAnywhere, 1);
-  if (isRoundedAnywhere)
-  {
-    this->Rounded.insert(name);
-  }
 }
 
 //------------------------------------------------------------------------------
@@ -130,8 +107,7 @@ void vtkQualityTables::WarnOfNoGroups(
 {
   if (this->GroupBy == "Cell array" && numberOfGroups == 1 && isRoot && this->Steps->IsFirst())
   {
-    vtkWarningMacro(
-      "There are no groups: no one-component cell array with 64-bit integers is named '"
+    vtkWarningMacro("There are no groups: no one-component cell array with integers is named '"
       << arrayName << "'.");
   }
 }

@@ -18,14 +18,12 @@
 #include "vtkStringArray.h"  // for names
 
 #include <memory> // for the steps
-#include <set>    // for names
 #include <string> // for choices
 #include <vector> // for lists
 
 namespace camaron
 {
 class ArraysOfSteps;
-class Reducer;
 class TimeSteps;
 }
 
@@ -66,7 +64,7 @@ public:
 
   /**
    * One-component cell array to group by, such as a material or a region, with up to 1000 different
-   * values. Cells whose values are neither 64-bit integers nor texts are in no group. Default:
+   * values. Cells whose values are neither integers nor texts are in no group. Default:
    * empty, the first integer array, else the first array of numbers, else of texts.
    */
   vtkSetStdStringFromCharMacro(GroupArray);
@@ -93,14 +91,6 @@ protected:
    * before the first exchange, so that std::exception is thrown on all processes or none.
    */
   virtual void AddRows(vtkInformationVector** inputVector, vtkInformationVector* outputVector) = 0;
-  /**
-   * Collective. For AddRows: @a isRounded tells whether an array has integers on this process that
-   * double cannot represent. A warning then reports that numeric columns contain the nearest
-   * doubles.
-   */
-  void NoteRounding(const std::string& name, bool isRounded, camaron::Reducer& reducer);
-  /// End of that warning: which columns contain all digits of such integers.
-  virtual const char* GetUnrounded() const { return ""; }
   /// Start of the message if AddRows throws, such as "The statistics cannot be computed".
   virtual const char* GetFailure() const = 0;
   /// Element type of the arrays for messages, such as "cell".
@@ -117,7 +107,6 @@ protected:
   std::string GroupBy = "None";
   std::string GroupArray;
   bool AllTimeSteps = false;
-  std::set<std::string> Rounded; ///< names of arrays, for all steps so far
 
   ///@{
   /// For AddRows: the current step, and the arrays that were found at each step.

@@ -3,6 +3,7 @@
 #include "Strategies/IdRanges.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cstring>
 #include <stdexcept>
 
@@ -12,12 +13,11 @@ namespace
 {
 //------------------------------------------------------------------------------
 // Parses one id at the beginning of the text and advances the text past it.
-ExactValue ParseId(const char* property, const char*& text, const char* end)
+std::int64_t ParseId(const char* property, const char*& text, const char* end)
 {
-  const char* next = text != end && *text == '-' ? text + 1 : text;
-  next = std::find_if(next, end, [](char c) { return c < '0' || c > '9'; });
-  ExactValue id;
-  if (!ParseInteger(std::string(text, next), id))
+  std::int64_t id;
+  const auto [next, error] = std::from_chars(text, end, id);
+  if (error != std::errc())
   {
     throw std::invalid_argument(std::string(property) + ": expected a number, found '" +
       std::string(text, std::min<std::ptrdiff_t>(end - text, 20)) + "' (example: 3, 10-20, 40)");
@@ -59,8 +59,8 @@ std::vector<IdRange> ParseIdRanges(const char* property, const std::string& list
     }
     if (range.Last < range.First)
     {
-      throw std::invalid_argument(std::string(property) + ": " + ToText(range.First) + "-" +
-        ToText(range.Last) + " is a descending range");
+      throw std::invalid_argument(std::string(property) + ": " + std::to_string(range.First) + "-" +
+        std::to_string(range.Last) + " is a descending range");
     }
     ranges.push_back(range);
   }
@@ -69,7 +69,7 @@ std::vector<IdRange> ParseIdRanges(const char* property, const std::string& list
   std::vector<IdRange> merged;
   for (const IdRange& range : ranges)
   {
-    if (!merged.empty() && !(merged.back().Last < range.First))
+    if (!merged.empty() && range.First <= merged.back().Last)
     {
       merged.back().Last = std::max(merged.back().Last, range.Last);
     }
@@ -82,10 +82,10 @@ std::vector<IdRange> ParseIdRanges(const char* property, const std::string& list
 }
 
 //------------------------------------------------------------------------------
-bool Contains(const std::vector<IdRange>& ranges, const ExactValue& id)
+bool Contains(const std::vector<IdRange>& ranges, std::int64_t id)
 {
   const auto next = std::upper_bound(ranges.begin(), ranges.end(), id,
-    [](const ExactValue& value, const IdRange& range) { return value < range.First; });
-  return next != ranges.begin() && !(std::prev(next)->Last < id);
+    [](std::int64_t value, const IdRange& range) { return value < range.First; });
+  return next != ranges.begin() && id <= std::prev(next)->Last;
 }
 }

@@ -7,17 +7,16 @@
 #ifndef camaron_IdRanges_h
 #define camaron_IdRanges_h
 
-#include "Statistics/ExactValue.h"
-
-#include <string> // for the text
-#include <vector> // for the ranges
+#include <cstdint> // for ids
+#include <string>  // for the text
+#include <vector>  // for the ranges
 
 namespace camaron
 {
-/// A range of 64-bit integers, signed or unsigned; both ends are included.
+/// A range of ids; both ends are included.
 struct IdRange
 {
-  ExactValue First, Last;
+  std::int64_t First, Last;
 };
 
 /// The ranges in ascending order, without overlaps. Throws std::invalid_argument with the name of
@@ -25,7 +24,7 @@ struct IdRange
 std::vector<IdRange> ParseIdRanges(const char* property, const std::string& list);
 
 /// Whether an id is in one of the ranges that ParseIdRanges returned.
-bool Contains(const std::vector<IdRange>& ranges, const ExactValue& id);
+bool Contains(const std::vector<IdRange>& ranges, std::int64_t id);
 }
 
 #endif

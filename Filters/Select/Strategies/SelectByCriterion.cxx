@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Strategies/Strategy.h"
 
-#include "AcceptableRanges.h"
 #include "PropertyValues.h"
 
 #include <cmath>
@@ -15,19 +14,14 @@ namespace camaron
 namespace
 {
 //------------------------------------------------------------------------------
-ExactValue ParseLimit(const std::string& text, const char* property, double open)
+double ParseLimit(const std::string& text, const char* property, double open)
 {
-  ExactValue integer;
-  if (ParseInteger(text, integer))
-  {
-    return integer;
-  }
   std::istringstream stream(text);
   stream.imbue(std::locale::classic());
   std::string rest;
   if (!(stream >> std::ws) || stream.eof())
   {
-    return { open };
+    return open;
   }
   double limit;
   if (!(stream >> limit) || stream >> rest)
@@ -35,20 +29,19 @@ ExactValue ParseLimit(const std::string& text, const char* property, double open
     throw std::invalid_argument(
       std::string(property) + ": expected a number, found '" + text + "'");
   }
-  return { limit };
+  return limit;
 }
-
 }
 
 //------------------------------------------------------------------------------
-ExactRange FindRange(const SelectionTask& task)
+AcceptableRange FindRange(const SelectionTask& task)
 {
   const SelectionParameters& parameters = task.Parameters;
   if (ParseChoice<bool>("Range", parameters.Range, { { "Acceptable", false }, { "Custom", true } }))
   {
-    const ValueRange open;
-    const ExactRange range{ ParseLimit(parameters.LowerLimit, "Lower Limit", open.Low),
-      ParseLimit(parameters.UpperLimit, "Upper Limit", open.High) };
+    AcceptableRange range;
+    range.Low = ParseLimit(parameters.LowerLimit, "Lower Limit", range.Low);
+    range.High = ParseLimit(parameters.UpperLimit, "Upper Limit", range.High);
     if (range.High < range.Low)
     {
       throw std::invalid_argument("Lower Limit is above Upper Limit");
@@ -62,7 +55,7 @@ ExactRange FindRange(const SelectionTask& task)
     throw std::invalid_argument("no acceptable range is known for '" + task.GetArrayName() +
       "'; choose another Preset, or set Range to Custom and enter limits");
   }
-  return { { range->Low }, { range->High }, range->Shapes };
+  return *range;
 }
 
 //------------------------------------------------------------------------------
@@ -70,11 +63,9 @@ std::string SelectByCriterion(const SelectionTask& task, SelectionMarks& marks)
 {
   const SelectionParameters& parameters = task.Parameters;
   BlockValues values = FindValues(task);
-  const ExactRange range = FindRange(task);
+  const AcceptableRange range = FindRange(task);
   BlockShapes shapes(task.Blocks);
-  AcceptableRange judged;
-  judged.Shapes = range.Shapes;
-  shapes.Judge(values, judged);
+  shapes.Judge(values, range);
   enum class Side
   {
     Inside,
@@ -88,9 +79,9 @@ std::string SelectByCriterion(const SelectionTask& task, SelectionMarks& marks)
   MarkValues(values, marks,
     [&](const ValueBlock& block, vtkIdType i)
     {
-      const ExactValue value = block.GetExact(i);
+      const double value = block.Values[i];
       const bool isOutside = value < range.Low || range.High < value;
-      const bool isOnSide = std::isnan(value.Value)
+      const bool isOnSide = std::isnan(value)
         ? side == Side::Failing && block.GetNullReason(i) != NullReason::NotApplicable
         : isOutside == (side != Side::Inside);
       return block.IsJudged(i) && isOnSide;

@@ -16,29 +16,14 @@ namespace camaron
 namespace
 {
 //------------------------------------------------------------------------------
-// The ids of the elements of a block, as bits of signed or unsigned integers.
-struct BlockIds
-{
-  vtkSmartPointer<vtkIdTypeArray> Bits;
-  bool IsUnsigned = false;
-
-  ExactValue Get(vtkIdType i) const
-  {
-    const vtkIdType bits = this->Bits->GetValue(i);
-    return this->IsUnsigned ? ToExact(static_cast<std::uint64_t>(bits))
-                            : ToExact(static_cast<std::int64_t>(bits));
-  }
-};
-
-//------------------------------------------------------------------------------
-// The ids of every block, without bits if the ids are indices. Throws if a process has no such ids.
-std::vector<BlockIds> FindIds(const SelectionTask& task)
+// The ids of every block; nullptr if the ids are indices. Throws if a process has no such ids.
+std::vector<vtkSmartPointer<vtkIdTypeArray>> FindIds(const SelectionTask& task)
 {
   constexpr int index = -1;
   const int idSpace = ParseChoice<int>("Id Space", task.Parameters.IdSpace,
     { { "Index", index }, { "Global id", vtkDataSetAttributes::GLOBALIDS },
       { "Pedigree id", vtkDataSetAttributes::PEDIGREEIDS } });
-  std::vector<BlockIds> ids(task.Blocks.Get().size());
+  std::vector<vtkSmartPointer<vtkIdTypeArray>> ids(task.Blocks.Get().size());
   if (idSpace == index)
   {
     return ids;
@@ -50,12 +35,9 @@ std::vector<BlockIds> FindIds(const SelectionTask& task)
       task.Blocks.Get()[b].GetAttributes()->GetAbstractAttribute(idSpace));
     if (array && array->GetNumberOfComponents() == 1)
     {
-      ids[b].Bits = vtkSmartPointer<vtkIdTypeArray>::New();
-      ids[b].IsUnsigned = IsUnsigned(array);
-      vtkIdTypeArray::FastDownCast(array) ? ids[b].Bits->ShallowCopy(array)
-                                          : ids[b].Bits->DeepCopy(array);
+      ids[b] = ToIds(array);
     }
-    missing += !ids[b].Bits;
+    missing += !ids[b];
   }
   task.Reducer.Sum(&missing, 1);
   if (missing > 0)
@@ -80,8 +62,7 @@ std::string SelectById(const SelectionTask& task, SelectionMarks& marks)
     ParallelForEach(static_cast<vtkIdType>(marks[b].size()), LightGrain,
       [&](vtkIdType cell)
       {
-        const ExactValue id =
-          ids[b].Bits ? ids[b].Get(cell) : ToExact(static_cast<std::int64_t>(block.GetIndex(cell)));
+        const vtkIdType id = ids[b] ? ids[b]->GetValue(cell) : block.GetIndex(cell);
         marks[b][cell] = !block.IsGhost(cell) && Contains(ranges, id);
       });
     found += std::count(marks[b].begin(), marks[b].end(), 1);
@@ -91,7 +72,7 @@ std::string SelectById(const SelectionTask& task, SelectionMarks& marks)
   std::uint64_t wanted = 0;
   for (const IdRange& range : ranges)
   {
-    wanted += ToBits(range.Last) - ToBits(range.First) + 1;
+    wanted += static_cast<std::uint64_t>(range.Last) - static_cast<std::uint64_t>(range.First) + 1;
   }
   if (static_cast<std::uint64_t>(found) >= wanted)
   {

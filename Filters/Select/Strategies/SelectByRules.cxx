@@ -39,10 +39,12 @@ void ForwardProgress(vtkAlgorithm* filter, vtkElementQuality& evaluator)
 }
 
 //------------------------------------------------------------------------------
-void MarkFailing(const Rule& rule, const ElementBlocks& blocks, SelectionMarks& marks)
+// Collective.
+void MarkFailing(
+  const Rule& rule, const ElementBlocks& blocks, SelectionMarks& marks, Reducer& reducer)
 {
-  const BlockValues values(blocks, rule.Criterion);
-  const CheckedCells cells(rule.Scope, blocks);
+  const BlockValues values(blocks, rule.Criterion, reducer);
+  const CheckedCells cells(rule.Scope, blocks, reducer);
   const double least = rule.GetLeast(), most = rule.GetMost();
   const Population checked = cells.Restrict(values);
   for (std::size_t b = 0; b < checked.size(); ++b)
@@ -95,7 +97,7 @@ std::string SelectByRules(const SelectionTask& task, SelectionMarks& marks)
     parsed.Rules, GetLeaves(task.Inputs.Mesh), GetBlockNames(blocks, task.Reducer), task.Reducer);
   for (const Rule& rule : parsed.Rules)
   {
-    MarkFailing(rule, blocks, marks);
+    MarkFailing(rule, blocks, marks, task.Reducer);
     CheckAbortOnAllRanks(task.Inputs.Filter, EvaluationEnd, task.Reducer);
   }
   return "";

@@ -46,7 +46,7 @@ unsigned ParseBits(std::string text)
 std::string SelectByStatus(const SelectionTask& task, SelectionMarks& marks)
 {
   const unsigned bits = ParseBits(task.Parameters.StatusBits);
-  const BlockValues values(task.Blocks, "CellStatus");
+  const BlockValues values(task.Blocks, "CellStatus", task.Reducer);
   task.Blocks.RequireAny(values.Get().size(),
     "there is no cell array CellStatus; add it with Element Quality", task.Reducer);
   MarkValues(values, marks,

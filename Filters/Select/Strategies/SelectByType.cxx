@@ -106,7 +106,8 @@ std::string SelectByCount(const SelectionTask& task, SelectionMarks& marks)
     for (std::size_t cell = 0; cell < values.size(); ++cell)
     {
       // NaN if the cell has no such elements.
-      marks[piece][cell] = values[cell] >= 0 && Contains(counts, { values[cell] });
+      marks[piece][cell] =
+        values[cell] >= 0 && Contains(counts, static_cast<std::int64_t>(values[cell]));
     }
   }
   return "";

@@ -52,7 +52,7 @@ std::string SelectFailed(const SelectionTask& task, SelectionMarks& marks)
   for (const std::string& name : names)
   {
     const AcceptableRange range = *ranges.Find(name, FindUnit(task, name));
-    BlockValues values(task.Blocks, name);
+    BlockValues values(task.Blocks, name, task.Reducer);
     shapes.Judge(values, range);
     for (std::size_t v = 0; v < values.Get().size(); ++v)
     {

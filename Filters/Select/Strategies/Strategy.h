@@ -11,6 +11,7 @@
 #ifndef camaron_Strategy_h
 #define camaron_Strategy_h
 
+#include "AcceptableRanges.h"
 #include "Base/Parallel.h"
 #include "DistributedMesh.h"
 #include "ElementBlocks.h"
@@ -159,17 +160,13 @@ std::vector<std::string> GetPlacementNames();
 /// Collective. The unit of an array, the same on all processes.
 std::string FindUnit(const SelectionTask& task, const std::string& arrayName);
 
-/// Collective. The values of the chosen array. Throws std::invalid_argument if no process has it.
+/// Collective. The values of the chosen array. Throws std::invalid_argument if no process has it,
+/// or as ElementBlocks::RequireExactIntegers does.
 BlockValues FindValues(const SelectionTask& task);
 
-/// The range of SelectByCriterion, limits included.
-struct ExactRange
-{
-  ExactValue Low, High;
-  unsigned Shapes = AnyCell; ///< of the cells to which it applies
-};
-/// Collective. Throws std::invalid_argument if there is none, or a limit is not a number.
-ExactRange FindRange(const SelectionTask& task);
+/// Collective. The range of SelectByCriterion. Throws std::invalid_argument if there is none, or a
+/// limit is not a number.
+AcceptableRange FindRange(const SelectionTask& task);
 
 /// Which cells are neighbors, for the strategies that continue a selection. Throws
 /// std::invalid_argument if a property is wrong.

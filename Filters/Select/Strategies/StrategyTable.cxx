@@ -166,8 +166,7 @@ const std::vector<Strategy>& GetStrategies()
     { "Failed rules", &SelectByRules, false,
       "cells that violate rules, written as those of Check Quality, whatever these tolerate; their "
       "criteria are evaluated as there" },
-    { "By id", &SelectById, true,
-      "a list of ids such as 3, 10-20, 40: signed or unsigned 64-bit integers" },
+    { "By id", &SelectById, true, "a list of ids such as 3, 10-20, 40" },
     { "Shape", &SelectInShape, true,
       "elements in a sphere, a box or an infinite cylinder, or behind a plane, on the side "
       "opposite to its normal" },
@@ -235,7 +234,7 @@ std::string FindUnit(const SelectionTask& task, const std::string& arrayName)
 BlockValues FindValues(const SelectionTask& task)
 {
   const std::string& name = task.GetArrayName();
-  BlockValues values(task.Blocks, name);
+  BlockValues values(task.Blocks, name, task.Reducer);
   const std::string kind = task.HasCells() ? "cell" : "point";
   const std::string missing = task.HasCells() ? "no Array is chosen" : "no Point Array is chosen";
   task.Blocks.RequireAny(values.Get().size(),
