@@ -170,18 +170,16 @@ private:
             const FluentOutput::Face& face =
               this->Mesh.GetFaces()[static_cast<std::size_t>(section.Begin + row)];
             this->Mesh.GetNodes(face, nodes);
-            for (vtkIdType& node : nodes)
+            const auto size = static_cast<vtkIdType>(nodes.size());
+            const auto get = [&](vtkIdType i) // the size, the nodes, the cells
             {
-              node = this->Mesh.GetFilePoint(node) + 1;
-            }
-            nodes.insert(
-              nodes.end(), { face.Cells[0] + vtkIdType(1), face.Cells[1] + vtkIdType(1) });
-            if (!isSized)
-            {
-              nodes.insert(nodes.begin(), face.Size);
-            }
-            this->AppendIntegers(bytes, static_cast<vtkIdType>(nodes.size()),
-              [](vtkIdType i) { return nodes[static_cast<std::size_t>(i)]; });
+              return i == 0 ? vtkIdType(face.Size)
+                : i <= size ? this->Mesh.GetFilePoint(nodes[static_cast<std::size_t>(i) - 1]) + 1
+                            : vtkIdType(face.Cells[i - size - 1]) + 1;
+            };
+            const vtkIdType first = isSized ? 1 : 0; // the section has the size
+            this->AppendIntegers(
+              bytes, size + 3 - first, [&](vtkIdType i) { return get(first + i); });
           });
     }
     return good;
