@@ -102,11 +102,9 @@ private:
       AppendBytes<std::int32_t>(bytes, count, get, this->Swap);
       return;
     }
-    for (vtkIdType i = 0; i < count; ++i)
-    {
-      AppendHex(bytes, static_cast<std::uint64_t>(get(i)));
-      bytes += i + 1 < count ? ' ' : '\n';
-    }
+    AppendWords(bytes, count, [&get](vtkIdType i, char* to)
+      { return std::to_chars(to, to + 16, static_cast<std::uint64_t>(get(i)), 16).ptr; });
+    bytes.back() = '\n';
   }
 
   bool WriteNodes(const Progress& progress)

@@ -112,6 +112,16 @@ TEST(Text, AlignsAndWritesHexadecimal)
   text.clear();
   AppendAligned(text, std::numeric_limits<std::int64_t>::min(), 32);
   EXPECT_EQ(text, "            -9223372036854775808");
+  text.clear();
+  constexpr std::ptrdiff_t Count = 1000; // do not fit into a buffer of words
+  std::string expected;
+  AppendWords(text, Count,
+    [](std::ptrdiff_t i, char* to) { return std::to_chars(to, to + 32, i * i * i).ptr; });
+  for (std::ptrdiff_t i = 0; i < Count; ++i)
+  {
+    expected += std::to_string(i * i * i) + ' ';
+  }
+  EXPECT_EQ(text, expected);
   const double x[] = { 1, -0.5, 1e-7 };
   text.clear();
   RealFormat::Shortest().AppendRow(text, x, 3);

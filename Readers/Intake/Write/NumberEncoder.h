@@ -9,6 +9,7 @@
 
 #include "Base/Number.h"
 #include "Intake/Rows/Bytes.h"
+#include "Intake/Write/RealFormat.h"
 
 #include <string> // for bytes
 
@@ -47,10 +48,8 @@ public:
       AppendBytes<Number>(bytes, count, get, this->Swap);
       return;
     }
-    for (std::ptrdiff_t i = 0; i < count; ++i)
-    {
-      this->Append(bytes, get(i));
-    }
+    AppendWords(bytes, count,
+      [&get](std::ptrdiff_t i, char* to) { return std::to_chars(to, to + 32, get(i)).ptr; });
   }
   /// Ends a row of at least one number.
   void EndRow(std::string& bytes) const

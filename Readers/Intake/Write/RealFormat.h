@@ -120,6 +120,27 @@ inline void AppendAligned(std::string& text, Integer value, int width)
   text.append(std::min(number, end - width), end);
 }
 
+/// Appends words with a blank after each: faster than one by one. @a write(i, char* to) writes word
+/// i of at most 32 characters and returns its end.
+template <typename Write>
+void AppendWords(std::string& text, std::ptrdiff_t count, Write&& write)
+{
+  constexpr std::ptrdiff_t Longest = 32 + 1;
+  char words[1024];
+  char* to = words;
+  for (std::ptrdiff_t i = 0; i < count; ++i)
+  {
+    to = write(i, to);
+    *to++ = ' ';
+    if (words + sizeof(words) - to < Longest)
+    {
+      text.append(words, to);
+      to = words;
+    }
+  }
+  text.append(words, to);
+}
+
 /// Hexadecimal, lower case, without a prefix.
 inline void AppendHex(std::string& text, std::uint64_t value)
 {
