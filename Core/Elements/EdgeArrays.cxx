@@ -35,7 +35,8 @@ struct SurfaceEdge
   Index Facet;
 };
 
-// Calls fill(edge, facets of the mesh) for all edges of polygons in parallel.
+// Calls fill(edge, facets of the mesh) for all edges of polygons that are not collapsed, in
+// parallel.
 template <typename Fill>
 void ForSurfaceEdges(const ElementContext& context, Fill&& fill)
 {
@@ -58,7 +59,7 @@ void ForSurfaceEdges(const ElementContext& context, Fill&& fill)
         {
           const Index facet = uses[local].Facet();
           const vtkIdType a = polygon[local], b = polygon[local + 1 < uses.size() ? local + 1 : 0];
-          if (a != b && table.IsOwner(facet, cell, local))
+          if (!table.IsCollapsed(facet) && table.IsOwner(facet, cell, local))
           {
             fill(SurfaceEdge{ finder.Find(a, b), { a, b }, facet }, table);
           }
@@ -170,7 +171,7 @@ void InconsistentEdge(const ElementContext& context, unsigned char* values)
 void EdgeDihedralAngle(const ElementContext& context, double* values)
 {
   const MeshView& mesh = context.GetMesh();
-  std::fill_n(values, context.GetTopology().GetEdges().size(), Null(NullReason::NoNeighbor));
+  std::fill_n(values, context.GetTopology().GetEdges().size(), Null(NullReason::NotApplicable));
   ForSurfaceEdges(context,
     [&](const SurfaceEdge& edge, const FacetTable& table)
     {

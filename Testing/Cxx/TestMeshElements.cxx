@@ -128,7 +128,8 @@ TEST(MeshElements, OfASurface)
   {
     const double angle = Get(edges, "EdgeDihedralAngle", i);
     const bool isBoundary = Get(edges, "IsBoundary", i) != 0;
-    EXPECT_EQ(std::isnan(angle), isBoundary);
+    // Rules do not check edges to which an array does not apply.
+    EXPECT_EQ(GetNullReason(angle), isBoundary ? NullReason::NotApplicable : NullReason::Value);
     if (!isBoundary && Get(edges, "InconsistentEdge", i) == 0)
     {
       EXPECT_NEAR(angle, 90, 1e-9);
@@ -137,6 +138,30 @@ TEST(MeshElements, OfASurface)
   EXPECT_EQ(Sum(elements.Vertices, "UnusedPoint"), 1);
   EXPECT_EQ(Get(elements.Vertices, "UnusedPoint", 8), 1);
   EXPECT_EQ(Sum(elements.Vertices, "IsBoundary"), 4);
+}
+
+//------------------------------------------------------------------------------
+// Polygons collapsed to an edge change nothing there.
+TEST(MeshElements, CollapsedPolygonsAtEdges)
+{
+  const Points points = { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 1, 0, 1 } };
+  const Cells sound = { { VTK_TRIANGLE, { 0, 1, 2 } }, { VTK_TRIANGLE, { 0, 1, 3 } } };
+  Cells all = sound;
+  all.push_back({ VTK_TRIANGLE, { 0, 1, 1 } });
+  all.push_back({ VTK_QUAD, { 1, 2, 1, 2 } });
+  const Elements alone(MakeGrid(points, sound)), with(MakeGrid(points, all));
+  ASSERT_EQ(with.Edges->GetNumberOfCells(), 5);
+  for (const char* name : { "BoundaryEdge", "InconsistentEdge", "EdgeDihedralAngle" })
+  {
+    for (vtkIdType i = 0; i < 5; ++i)
+    {
+      const double value = Get(with.Edges, name, i), expected = Get(alone.Edges, name, i);
+      EXPECT_EQ(GetNullReason(value), GetNullReason(expected)) << name << " " << i;
+      EXPECT_TRUE(value == expected || std::isnan(expected)) << name << " " << i;
+    }
+  }
+  EXPECT_EQ(Sum(with.Edges, "BoundaryEdge"), 4);
+  EXPECT_EQ(Sum(with.Edges, "InconsistentEdge"), 1);
 }
 
 //------------------------------------------------------------------------------
