@@ -270,7 +270,7 @@ Tolerance TakeTolerance(RuleLine& line)
   {
     line.TakeIf("cell");
   }
-  const std::string digits = word.substr(0, word.find_last_not_of('%') + 1);
+  const std::string digits = word.substr(0, word.size() - (word.back() == '%' ? 1 : 0));
   const char* const end = digits.data() + digits.size();
   double number;
   // Neither infinity nor exponents of Fortran.

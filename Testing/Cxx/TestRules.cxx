@@ -446,6 +446,7 @@ TEST(Rules, WrongLines)
     { "Volume > 0 tolerate -1", toleranceExpected + "'-1'" },
     { "Volume > 0 tolerate %", toleranceExpected + "'%'" },
     { "Volume > 0 tolerate 1d1%", toleranceExpected + "'1d1%'" },
+    { "Volume > 0 tolerate 5%%", toleranceExpected + "'5%%'" },
     { "Volume > 0 tolerate 0.1", toleranceExpected + "'0.1'; did you mean 0.1%?" },
     { "Volume > 0 tolerate 101%", "expected a percentage of at most 100%, found '101%'" },
     { "Volume > 0 undefined", "expected fails or passes after undefined, found end of line" },
