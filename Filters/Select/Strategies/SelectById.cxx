@@ -9,6 +9,7 @@
 #include "vtkIdTypeArray.h"
 
 #include <algorithm>
+#include <limits>
 #include <stdexcept>
 
 namespace camaron
@@ -69,10 +70,14 @@ std::string SelectById(const SelectionTask& task, SelectionMarks& marks)
   }
   task.Reducer.Sum(&found, 1);
 
+  // Ranges of more ids than 64 bits can count have at least this number of them.
+  constexpr std::uint64_t most = std::numeric_limits<std::uint64_t>::max();
   std::uint64_t wanted = 0;
   for (const IdRange& range : ranges)
   {
-    wanted += static_cast<std::uint64_t>(range.Last) - static_cast<std::uint64_t>(range.First) + 1;
+    const std::uint64_t others =
+      static_cast<std::uint64_t>(range.Last) - static_cast<std::uint64_t>(range.First);
+    wanted = others < most - wanted ? wanted + others + 1 : most;
   }
   if (static_cast<std::uint64_t>(found) >= wanted)
   {
@@ -83,6 +88,10 @@ std::string SelectById(const SelectionTask& task, SelectionMarks& marks)
     return "The id does not exist";
   }
   const std::uint64_t missing = wanted - static_cast<std::uint64_t>(found);
+  if (wanted == most)
+  {
+    return "At least " + std::to_string(missing) + " ids do not exist";
+  }
   return std::to_string(missing) + " of " + std::to_string(wanted) +
     (missing == 1 ? " ids does" : " ids do") + " not exist";
 }
