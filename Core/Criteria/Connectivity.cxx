@@ -32,14 +32,18 @@ void ForFacetCells(
 }
 
 //------------------------------------------------------------------------------
-// The cells of other pieces that have all facets of a cell.
+// The cells of other pieces that have all facets of a cell, except collapsed ones.
 void FindLinkedDuplicates(
-  const FacetTable::Range& uses, const FacetLinks& links, std::vector<LinkedCell>& found)
+  const FacetTable& table, vtkIdType id, const FacetLinks& links, std::vector<LinkedCell>& found)
 {
   found.clear();
   bool isFirst = true;
-  for (const CellFacet use : uses)
+  for (const CellFacet use : table.GetCellFacets(id))
   {
+    if (table.IsCollapsed(use.Facet()))
+    {
+      continue;
+    }
     const auto hasFacet = [&](const LinkedCell& cell)
     {
       bool result = false;
@@ -112,8 +116,8 @@ void DuplicateCell(const MeshContext& mesh, vtkIdType begin, vtkIdType end, doub
       double lowest = ids[cell];
       if (options.Links)
       {
-        FindLinkedDuplicates(mesh.Topology.GetFacets(dimension).GetCellFacets(cell),
-          options.Links->GetFacets(dimension), linked);
+        FindLinkedDuplicates(
+          mesh.Topology.GetFacets(dimension), cell, options.Links->GetFacets(dimension), linked);
         for (const LinkedCell& other : linked)
         {
           lowest = std::min(lowest < 0 ? mesh.GetId(cell) : lowest, static_cast<double>(other.Id));

@@ -108,7 +108,8 @@ private:
           table.ForEachOwned(cell, facets,
             [&](Index facet, const vtkIdType* points, vtkIdType size)
             {
-              if (std::all_of(points, points + size, [&](vtkIdType p) { return isNear[p]; }))
+              if (!table.IsCollapsed(facet) &&
+                std::all_of(points, points + size, [&](vtkIdType p) { return isNear[p]; }))
               {
                 this->AddCandidate(
                   piece, table, dimension, facet, points, size, pointKeys, found[chunk]);

@@ -32,6 +32,15 @@ public:
 
   vtkIdType GetSize() const { return this->Size; }
 
+  /// Whether an element is a facet that is collapsed, see FacetTable.
+  bool IsCollapsed(vtkIdType element) const
+  {
+    return this->Kind == Adjacency::Facet &&
+      (element < this->NumberOfFaces
+          ? this->Faces->IsCollapsed(static_cast<Index>(element))
+          : this->SurfaceEdges->IsCollapsed(static_cast<Index>(element - this->NumberOfFaces)));
+  }
+
   /// Calls @a visit(element) for the elements of a cell, in the order of the other overload.
   template <typename Visit>
   void ForEach(vtkIdType cell, Visit&& visit) const

@@ -3,6 +3,7 @@
 #include "Selection/SharedElements.h"
 
 #include "Base/Hash.h"
+#include "Geometry/FacetRing.h"
 #include "Ranks/EqualKeys.h"
 #include "Ranks/PieceBorders.h"
 
@@ -15,19 +16,26 @@ namespace
 {
 //------------------------------------------------------------------------------
 // Whether all points of an element are near another piece, and if so, the hash of its points in any
-// order.
+// order and with any repetitions. @a distinct is scratch memory.
 template <typename Points>
 bool FindHash(const PieceBorders& borders, std::size_t piece,
-  const std::vector<unsigned char>& isNear, const Points& points, vtkIdType size, SetHash& sum)
+  const std::vector<unsigned char>& isNear, const Points& points, vtkIdType size,
+  std::vector<vtkIdType>& distinct, SetHash& sum)
 {
   sum = {};
+  distinct.clear();
   for (vtkIdType i = 0; i < size; ++i)
   {
     if (!isNear[points[i]])
     {
       return false;
     }
-    sum.Add(Hash(borders.GetKey(piece, points[i])));
+    distinct.push_back(points[i]);
+  }
+  SortDistinct(distinct);
+  for (const vtkIdType point : distinct)
+  {
+    sum.Add(Hash(borders.GetKey(piece, point)));
   }
   return true;
 }
@@ -75,6 +83,7 @@ SharedElements SharedElements::OfCells(
 {
   const PieceBorders borders(pieces, reducer, true);
   std::vector<Candidate> candidates;
+  std::vector<vtkIdType> distinct;
   for (std::size_t p = 0; p < pieces.size(); ++p)
   {
     const std::vector<unsigned char> isNear = borders.FindNearPoints(p);
@@ -83,7 +92,7 @@ SharedElements SharedElements::OfCells(
     {
       const IndexRange points = mesh.GetCellPoints(cell);
       Candidate candidate = { {}, pieces[p].Block, static_cast<std::int32_t>(p), cell };
-      if (FindHash(borders, p, isNear, points, points.Size, candidate.Hash))
+      if (FindHash(borders, p, isNear, points, points.Size, distinct, candidate.Hash))
       {
         candidates.push_back(candidate);
       }
@@ -100,6 +109,7 @@ std::vector<SharedElements::Candidate> SharedElements::FindCandidates(
 {
   const PieceBorders borders(pieces, reducer);
   std::vector<Candidate> candidates;
+  std::vector<vtkIdType> distinct;
   for (std::size_t p = 0; p < pieces.size(); ++p)
   {
     const std::vector<unsigned char> isNear = borders.FindNearPoints(p);
@@ -120,7 +130,8 @@ std::vector<SharedElements::Candidate> SharedElements::FindCandidates(
         [&](vtkIdType element, const vtkIdType* points, vtkIdType size)
         {
           Candidate candidate = { {}, pieces[p].Block, static_cast<std::int32_t>(p), element };
-          if (!isKnown[element] && FindHash(borders, p, isNear, points, size, candidate.Hash))
+          if (!isKnown[element] && !elements[p].IsCollapsed(element) &&
+            FindHash(borders, p, isNear, points, size, distinct, candidate.Hash))
           {
             isKnown[element] = true;
             candidates.push_back(candidate);

@@ -5,6 +5,7 @@
 #include "CriteriaTesting.h"
 #include "Ranks/LinkedPieces.h"
 #include "Ranks/MeshFacts.h"
+#include "Selection/Growth.h"
 
 #include "vtkIdTypeArray.h"
 
@@ -94,6 +95,80 @@ TEST(CriteriaConnectivity, PiecesWithAPointNowhere)
     EXPECT_TRUE(Evaluate(*topologies[i], options, { { FindCriterion("MaxFaceCellCount"), &count } },
       [](double) { return true; }));
     EXPECT_EQ(count, 2);
+  }
+}
+
+//------------------------------------------------------------------------------
+// Edges and faces with too few different points connect nothing, in one piece and in two, and a
+// face with a repeated point is that without.
+TEST(CriteriaConnectivity, CollapsedFacetsBetweenPieces)
+{
+  const Points points = { { 0, 0, 0 }, { 0, 1, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 2, 0, 0 },
+    { 2, 1, 0 }, { 0, 0, 1 }, { 0, 1, 1 }, { 1, 0, 1 } };
+  const Grid flat = MakeGrid(points,
+    { { VTK_QUAD, { 0, 2, 3, 1 } }, { VTK_QUAD, { 2, 4, 5, 3 } }, { VTK_QUAD, { 2, 3, 2, 3 } },
+      { VTK_TRIANGLE, { 3, 5, 5 } }, { VTK_QUAD, { 0, 2, 2, 6 } }, { VTK_TRIANGLE, { 0, 2, 6 } } });
+  // A wedge as a collapsed hexahedron, twice, and a tetrahedron at one of its triangles.
+  const Grid solid = MakeGrid(points,
+    { { VTK_HEXAHEDRON, { 0, 2, 4, 4, 6, 8, 5, 5 } },
+      { VTK_HEXAHEDRON, { 0, 2, 4, 4, 6, 8, 5, 5 } },
+      { VTK_HEXAHEDRON, { 0, 2, 2, 0, 1, 3, 3, 1 } }, { VTK_TETRA, { 0, 2, 4, 3 } } });
+  const char* const names[] = { "MaxFaceCellCount", "RegionId", "DuplicateCell", "IsBoundary" };
+  for (const Grid& whole : { flat, solid })
+  {
+    const Values expected = EvaluateAll(whole);
+    const vtkIdType size = whole->GetNumberOfCells();
+    for (int split = 1; split < 1 << size; ++split)
+    {
+      std::vector<Cells> cells(2);
+      std::vector<vtkNew<vtkIdTypeArray>> ids(2);
+      for (vtkIdType cell = 0; cell < size; ++cell)
+      {
+        vtkIdList* const corners = whole->GetCell(cell)->GetPointIds();
+        cells[split >> cell & 1].push_back(
+          { whole->GetCellType(cell), { corners->begin(), corners->end() } });
+        ids[split >> cell & 1]->InsertNextValue(cell);
+      }
+      std::vector<Grid> grids;
+      std::vector<std::unique_ptr<MeshTopology>> topologies;
+      std::vector<LinkedPiece> pieces(2);
+      CellMarks all, marks;
+      for (std::size_t i = 0; i < 2; ++i)
+      {
+        grids.push_back(MakeGrid(points, cells[i]));
+        topologies.push_back(std::make_unique<MeshTopology>(grids[i]));
+        pieces[i].Topology = topologies[i].get();
+        pieces[i].CellIds = ids[i]->GetPointer(0);
+        pieces[i].Options.GlobalIds = ids[i];
+        all.emplace_back(cells[i].size(), 1);
+        marks.emplace_back(cells[i].size(), 0);
+      }
+      Reducer alone;
+      const std::vector<PieceLinks> links = LinkPieces(pieces, alone);
+      for (std::size_t i = 0; i < 2; ++i)
+      {
+        pieces[i].Options.Links = &links[i];
+      }
+      const std::vector<MeshRegions> regions = FindMeshRegions(pieces, alone);
+      marks[split & 1][0] = 1;
+      Grow(pieces, {}, static_cast<int>(size), all, alone, marks);
+      for (std::size_t i = 0; i < 2; ++i)
+      {
+        pieces[i].Options.Regions = &regions[i];
+        std::vector<double> values(cells[i].size());
+        for (const char* name : names)
+        {
+          Evaluate(*topologies[i], pieces[i].Options, { { FindCriterion(name), values.data() } },
+            [](double) { return true; });
+          for (std::size_t cell = 0; cell < values.size(); ++cell)
+          {
+            const vtkIdType id = ids[i]->GetValue(static_cast<vtkIdType>(cell));
+            EXPECT_EQ(values[cell], expected.at(name)[id]) << name << " of " << id << ", " << split;
+            EXPECT_EQ(marks[i][cell] != 0, expected.at("RegionId")[id] == 0) << id << ", " << split;
+          }
+        }
+      }
+    }
   }
 }
 
