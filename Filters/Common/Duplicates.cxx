@@ -18,6 +18,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <functional>
 #include <numeric>
 #include <tuple>
@@ -156,7 +157,9 @@ Ids FindFirstCopies(vtkDataSet* mesh)
     std::array<double, 3> a, b;
     view.GetPoint(order[first], a.data());
     view.GetPoint(order[i], b.data());
-    const bool isCopy = ids[order[i]] == ids[order[first]] && a == b;
+    const bool isCopy = ids[order[i]] == ids[order[first]] &&
+      std::equal(a.begin(), a.end(), b.begin(),
+        [](double x, double y) { return x == y || (std::isnan(x) && std::isnan(y)); });
     firsts[order[i]] = isCopy ? order[first] : order[i];
     first = isCopy ? first : i;
     hasCopies = hasCopies || isCopy;

@@ -19,7 +19,7 @@
 namespace camaron
 {
 /// For every point of an unstructured grid or vtkPolyData the first point with the same global id
-/// and position. Empty if there are no duplicates or no global ids.
+/// and position, where NaN equals NaN. Empty if there are no duplicates or no global ids.
 std::vector<vtkIdType> FindFirstCopies(vtkDataSet* mesh);
 
 /**
