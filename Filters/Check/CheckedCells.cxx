@@ -10,6 +10,7 @@
 #include "vtkElementQuality.h"
 
 #include "vtkCellData.h"
+#include "vtkDataArray.h"
 
 #include <algorithm>
 #include <stdexcept>
@@ -80,7 +81,8 @@ std::string DescribeMissing(const std::string& missing, const std::string& name,
 }
 
 //------------------------------------------------------------------------------
-// Collective. Names of the cell arrays of all processes, with their numbers of components.
+// Collective. Names of the cell arrays of all processes, with their numbers of components; 0 for
+// texts.
 std::vector<std::pair<std::string, int>> GatherArrays(
   const std::vector<DataSetLeaf>& leaves, Reducer& reducer)
 {
@@ -95,7 +97,7 @@ std::vector<std::pair<std::string, int>> GatherArrays(
       if (array->GetName())
       {
         own.push_back(array->GetName() + std::string(1, separator) +
-          std::to_string(array->GetNumberOfComponents()));
+          std::to_string(vtkDataArray::SafeDownCast(array) ? array->GetNumberOfComponents() : 0));
       }
     }
   }
@@ -183,8 +185,8 @@ void CheckScopes(const std::vector<Rule>& rules, const std::vector<DataSetLeaf>&
       if (size != 1)
       {
         throw MakeError(rule,
-          "the cell array " + scope.Array + " has " + std::to_string(size) +
-            " components, not one");
+          "the cell array " + scope.Array + " has " +
+            (size == 0 ? "texts, not integers" : std::to_string(size) + " components, not one"));
       }
     }
   }

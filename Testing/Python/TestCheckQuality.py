@@ -180,6 +180,10 @@ class TestCheckQuality(camaron_testing.TestCase):
             with pipeline.Messages() as messages:
                 check.UpdatePipeline()
             self.assertRegex(messages.errors[0], reason)
+        named = make(mesh_parts.named_source(), Rules="Volume > 0 where Name = 5")
+        with pipeline.Messages() as messages:
+            named.UpdatePipeline()
+        self.assertIn("rules:1: the cell array Name has texts, not integers", messages.errors[0])
         check.RulesFile = "none.rules"
         texts = self.information(check, "Problems")
         self.assertEqual(texts, ["none.rules", "0", "No such file or directory"])
