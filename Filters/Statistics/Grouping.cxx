@@ -178,6 +178,20 @@ std::string GetNumberLabel(const ElementBlock&, double key)
 }
 
 //------------------------------------------------------------------------------
+// Collective. The places of texts are no keys beside integers of other blocks.
+void RefuseNumbers(const std::string& arrayName, const ElementBlocks& blocks, Reducer& reducer)
+{
+  std::int64_t hasNumbers = std::any_of(blocks.Get().begin(), blocks.Get().end(),
+    [&](const ElementBlock& block) { return block.GetArray(arrayName) != nullptr; });
+  reducer.Max(&hasNumbers, 1);
+  if (hasNumbers)
+  {
+    throw std::invalid_argument(
+      "the array '" + arrayName + "' has texts in some blocks and numbers in others");
+  }
+}
+
+//------------------------------------------------------------------------------
 void NumberBlock(
   const ElementBlock& block, const GroupArray&, KeyList& keys, std::vector<int>& numbers)
 {
@@ -319,7 +333,7 @@ std::set<Label> FindValueNames(const ElementBlock& block, const std::string& arr
 //------------------------------------------------------------------------------
 // Replaces numbers by names. A number with several names keeps none; a name that is not the only
 // one, or reads as the label of another group, stands beside its number.
-void NameGroups(const std::vector<Label>& names, std::vector<Group>& groups)
+void NameNumbers(const std::vector<Label>& names, std::vector<Group>& groups)
 {
   std::map<double, std::string> ofKeys;
   for (const Label& name : names)
@@ -351,6 +365,27 @@ void NameGroups(const std::vector<Label>& names, std::vector<Group>& groups)
     group.Label = label;
   }
 }
+
+//------------------------------------------------------------------------------
+// A text that reads as the group of all, and a name that does or is not the only one, as of blocks,
+// get a suffix.
+void TellApart(bool areTexts, std::vector<Group>& groups)
+{
+  std::map<std::string, int> uses;
+  for (const Group& group : groups)
+  {
+    ++uses[group.Label];
+  }
+  for (Group& group : groups)
+  {
+    std::string label = group.Label;
+    while (!group.IsAll && uses[label] > (label == group.Label ? 1 : 0))
+    {
+      label += areTexts ? " (text)" : " (" + ToText(group.Key) + ")";
+    }
+    group.Label = label;
+  }
+}
 }
 
 //------------------------------------------------------------------------------
@@ -376,9 +411,9 @@ Grouping::Grouping(const std::string& name, const std::string& arrayName,
     blocks.RequireExactIntegers(blocks.GetKind(), this->ArrayName, reducer);
     by = { this->ArrayName, FindTexts(this->ArrayName, blocks, way.MaxNumberOfGroups, reducer) };
     this->RefuseMany(by.Texts.size(), way.MaxNumberOfGroups);
-    for (std::size_t i = 0; i < by.Texts.size(); ++i)
+    if (!by.Texts.empty())
     {
-      valueNames.emplace(static_cast<double>(i), by.Texts[i]);
+      RefuseNumbers(this->ArrayName, blocks, reducer);
     }
   }
   KeyList keys(way.MaxNumberOfGroups);
@@ -408,7 +443,6 @@ Grouping::Grouping(const std::string& name, const std::string& arrayName,
   {
     this->Groups.push_back({ false, label.first, label.second });
   }
-  NameGroups(GatherLabels(valueNames, reducer), this->Groups);
   this->RefuseMany(this->Groups.size() - 1, way.MaxNumberOfGroups);
   std::vector<int> numbersOfKeys;
   for (const double key : keys.Get())
@@ -423,6 +457,20 @@ Grouping::Grouping(const std::string& name, const std::string& arrayName,
     {
       number = number == NoGroup ? NoGroup : numbersOfKeys[number];
     }
+  }
+  const bool areTexts = !by.Texts.empty();
+  for (std::size_t i = 1; i < this->Groups.size() && areTexts; ++i)
+  {
+    Group& group = this->Groups[i];
+    group = { false, {}, by.Texts[static_cast<std::size_t>(group.Key)] };
+  }
+  if (areTexts || this->ArrayName.empty())
+  {
+    TellApart(areTexts, this->Groups);
+  }
+  else
+  {
+    NameNumbers(GatherLabels(valueNames, reducer), this->Groups);
   }
   this->OneGroup = this->Groups.size() == 2 && numberWithoutGroup == 0;
 }

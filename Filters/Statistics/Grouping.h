@@ -17,16 +17,17 @@
 
 namespace camaron
 {
-/// A group. Groups of different meshes, for the same way to group, correspond if they are equal.
+/// A group. Groups of different meshes, for the same way to group, correspond if they are equal:
+/// the numbers of blocks and zones differ between meshes.
 struct Group
 {
   bool IsAll = false;
-  double Key = 0; ///< an integer
-  std::string Label;
+  double Key = 0;    ///< an integer, for the order; not of texts
+  std::string Label; ///< other groups of the mesh have others
 
   bool operator==(const Group& other) const
   {
-    return this->IsAll == other.IsAll && this->Key == other.Key && this->Label == other.Label;
+    return this->IsAll == other.IsAll && this->Label == other.Label;
   }
 };
 
@@ -44,7 +45,8 @@ public:
    * ZoneIds and ZoneNames for Zone, these names.
    *
    * Throws std::invalid_argument on all processes if @a name is unknown or not for this element
-   * type, if there are too many groups, or as ElementBlocks::RequireExactIntegers does.
+   * type, if there are too many groups, if the array has texts only in some blocks and numbers in
+   * others, or as ElementBlocks::RequireExactIntegers does.
    */
   Grouping(const std::string& name, const std::string& arrayName, const ElementBlocks& blocks,
     Reducer& reducer);

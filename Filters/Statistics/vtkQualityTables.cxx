@@ -107,7 +107,7 @@ void vtkQualityTables::WarnOfNoGroups(
 {
   if (this->GroupBy == "Cell array" && numberOfGroups == 1 && isRoot && this->Steps->IsFirst())
   {
-    vtkWarningMacro("There are no groups: no one-component cell array with integers is named '"
-      << arrayName << "'.");
+    vtkWarningMacro("There are no groups: no one-component cell array named '"
+      << arrayName << "' has integers or texts that are not blank.");
   }
 }

@@ -57,7 +57,7 @@ public:
 
   ///@{
   /// Groups that get their own rows in addition to the group of all cells: "None" (default), "Cell
-  /// type", "Block", or "Cell array" with one group per integer value of GroupArray.
+  /// type", "Block", or "Cell array" with one group per integer or text of GroupArray.
   vtkSetStdStringFromCharMacro(GroupBy);
   vtkGetCharFromStdStringMacro(GroupBy);
   ///@}

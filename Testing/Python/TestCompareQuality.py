@@ -11,6 +11,8 @@ import numpy
 from camaron.common import pipeline, tables
 from paraview import servermanager, simple
 from vtkmodules.numpy_interface import dataset_adapter
+from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.vtkCommonCore import vtkStringArray
 
 RATIO, SKEWNESS, SIZE = "EdgeLengthRatio", "EquiangleSkewness", "Volume"
 WHOLE = mesh_parts.make_values(mesh_parts.make_mesh().GetNumberOfCells())
@@ -193,6 +195,59 @@ class TestCompareQuality(camaron_testing.TestCase):
                     )
                     counts = numpy.array([r["CountA"] for r in bins])
                     self.assertEqual(counts.sum(), (~numpy.isnan(a[ours])).sum())
+
+    def test_groups_by_name(self):
+        """Blocks, texts and zones of both meshes correspond by name, whatever their numbers."""
+        sizes = {"All": 5, "1": 3, "y": 7, "z": 4}
+        whole = mesh_parts.make_full_mesh()
+
+        def mesh(names):
+            known = vtkStringArray()
+            known.SetName("ZoneNames")
+            for name in names:
+                known.InsertNextValue(name)
+            blocks = []
+            for number, name in enumerate(names):
+                block = mesh_parts.extract(whole, 0, sizes[name])
+                texts = vtkStringArray()
+                texts.SetName("Part")
+                for _ in range(sizes[name]):
+                    texts.InsertNextValue(name)
+                ids = numpy_to_vtk(numpy.arange(10, 10 + len(names)), deep=True)
+                ids.SetName("ZoneIds")
+                zone = numpy_to_vtk(numpy.full(sizes[name], 10 + number), deep=True)
+                zone.SetName("Zone")
+                block.GetFieldData().AddArray(known)
+                block.GetFieldData().AddArray(ids)
+                block.GetCellData().AddArray(texts)
+                block.GetCellData().AddArray(zone)
+                blocks.append(mesh_parts.producer(block))
+            return simple.GroupDatasets(Input=blocks, BlockNames=list(names))
+
+        by_text = {"GroupBy": "Cell array", "GroupArray": "Part"}
+        by_zone = {"GroupBy": "Cell array", "GroupArray": "Zone"}
+        for names, options, expected in (
+            (("1y", "yz1"), {"GroupBy": "Block"}, {"1": (3, 3), "y": (7, 7), "z": (0, 4)}),
+            (("1y", "yz1"), by_text, {"1": (3, 3), "y": (7, 7), "z": (0, 4)}),
+            (("1y", "yz1"), by_zone, {"1": (3, 3), "y": (7, 7), "z": (0, 4)}),
+            (("yy", "y"), {"GroupBy": "Block"}, {"y (1)": (7, 0), "y (2)": (7, 0), "y": (0, 7)}),
+            (
+                (["All", "y"], ["1", "All"]),
+                by_text,
+                {"All (text)": (5, 5), "1": (0, 3), "y": (7, 0)},
+            ),
+            ((["All", "y"], ["All"]), {"GroupBy": "Block"}, {"All (1)": (5, 5), "y": (7, 0)}),
+        ):
+            comparison, _, _ = self.compare(*map(mesh, names), Arrays=[SIZE], **options)
+            table = tables.fetch(comparison)
+            if not table:
+                self.assertGreater(camaron_testing.rank_count(), 1)
+                continue  # only rank 0 has rows
+            found = [(r["Group"], r["CountA"], r["CountB"]) for r in table[1:]]
+            with self.subTest(names=names, **options):
+                self.assertEqual(
+                    sorted(found), sorted((n, *counts) for n, counts in expected.items())
+                )
 
     def test_all_time_steps(self):
         """Rows of each step are those of the step alone; the mesh is that of the last one."""

@@ -323,16 +323,37 @@ class TestStatistics(camaron_testing.TestCase):
         names = vtkStringArray()
         names.SetName("Material")
         for cell in range(grid.GetNumberOfCells()):
-            names.InsertNextValue(("rotor", "", "air gap", "All", "rotor")[cell % 5])
+            names.InsertNextValue(("rotor", "", "1", "All", "rotor")[cell % 5])
         grid.GetCellData().AddArray(names)
         quality = simple.ElementQuality(Input=mesh_parts.producer(grid), Criteria=["Volume"])
         volumes = vtk_to_numpy(self.fetch(quality).GetCellData().GetArray("Volume"))
         table, _, _ = self.tables(quality, GroupBy="Cell array", GroupArray="Material")
-        groups = ["All", "All (0)", "air gap", "rotor"]
+        groups = ["All", "1", "All (text)", "rotor"]
         self.assertEqual([row["Group"] for row in table], groups)
         places = numpy.arange(len(volumes)) % 5
-        for row, here in zip(table[1:], (places == 3, places == 2, places % 4 == 0)):
+        for row, here in zip(table[1:], (places == 2, places == 3, places % 4 == 0)):
             self.check_statistics(row, volumes[here], numpy.flatnonzero(here))
+        other = mesh_parts.extract(grid, 0, 3)
+        other.GetCellData().RemoveArray("Material")
+        for values, message in (
+            (
+                numpy_to_vtk(numpy.arange(3), deep=True),
+                "texts in some blocks and numbers in others",
+            ),
+            (vtkStringArray(), "'Material' has integers or texts that are not blank"),
+        ):
+            values.SetName("Material")
+            values.SetNumberOfTuples(3)
+            other.GetCellData().AddArray(values)
+            blank = isinstance(values, vtkStringArray)
+            blocks = [mesh_parts.producer(mesh) for mesh in ((other,) if blank else (grid, other))]
+            with camaron_testing.pipeline.Messages() as messages:
+                self.tables(
+                    simple.ElementQuality(Input=simple.GroupDatasets(Input=blocks)),
+                    GroupBy="Cell array",
+                    GroupArray="Material",
+                )
+            self.assertIn(message, " ".join([*messages.errors, *messages.warnings]))
         many = vtkImageData()
         many.SetDimensions(1002, 2, 2)
         ids, values = vtkStringArray(), numpy_to_vtk(numpy.arange(1001.0), deep=True)
