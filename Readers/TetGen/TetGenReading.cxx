@@ -11,6 +11,9 @@
 #include "vtkFieldData.h"
 #include "vtkUnstructuredGrid.h"
 
+#include <set>
+#include <string>
+
 namespace camaron
 {
 namespace
@@ -62,7 +65,7 @@ private:
   bool FillCloud(const MappedFile& nodes, const Progress& progress);
   bool FinishTable(
     TetGenCells& cells, const MappedFile& nodes, bool hasNeighbors, const Progress& progress);
-  void WarnOfMore(TextScanner& scanner, const MappedFile& file);
+  bool FindMore(TextScanner& scanner, const MappedFile& file);
 
   PieceRequest Request;
   vtkUnstructuredGrid* Grid;
@@ -74,16 +77,18 @@ private:
   TetGenNeighbors Neighbors;
   CellMeshPiece Piece;
   std::ptrdiff_t EndOfNodes = 0; ///< in their file
-  std::string More;              ///< warning about data after the end
+  std::set<std::string> More;    ///< names of files with data after the end
 };
 
 //------------------------------------------------------------------------------
-void TetGenAssembly::WarnOfMore(TextScanner& scanner, const MappedFile& file)
+// Keeps the name of a file with more data than was read, for a warning.
+bool TetGenAssembly::FindMore(TextScanner& scanner, const MappedFile& file)
 {
   if (scanner.SkipSpace())
   {
-    this->More = "there is more data after the end of " + file.GetName();
+    this->More.insert(file.GetName());
   }
+  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -99,17 +104,12 @@ bool TetGenAssembly::ReadNodes(const MappedFile& file, bool isLast, const Progre
   return this->ReadFile(file, progress,
     [&](TextScanner& scanner, const TextLines* lines, const Progress& part)
     {
-      this->More.clear();
       if (!this->Nodes.Read(scanner, lines, this->IsWhole(), part))
       {
         return false;
       }
       this->EndOfNodes = scanner.GetPosition() - file.begin();
-      if (isLast)
-      {
-        this->WarnOfMore(scanner, file);
-      }
-      return true;
+      return !isLast || this->FindMore(scanner, file);
     });
 }
 
@@ -161,9 +161,9 @@ bool TetGenAssembly::Fill(
   {
     this->Nodes.Warn(this->Messages);
     this->Piece.WarnOfRepeatedPoints(mesh, this->Messages, progress.Part(0.7, 0.9));
-    if (!this->More.empty())
+    for (const std::string& file : this->More)
     {
-      this->Messages.Add(this->More);
+      this->Messages.Add("there is more data after the end of " + file);
     }
   }
   FillGrid(mesh, this->Piece, points, this->Grid);
@@ -195,14 +195,12 @@ bool TetGenAssembly::ReadTable(const MappedFile& file, TetGenKind kind, const Ma
   {
     cells.KeepAllIds();
   }
-  if (!this->ReadNodes(nodes, false, progress.Part(0, 0.3)) ||
+  if (!this->ReadNodes(nodes, true, progress.Part(0, 0.3)) ||
     !this->ReadFile(file, progress.Part(0.3, 0.7),
       [&](TextScanner& scanner, const TextLines* lines, const Progress& part)
       {
-        this->More.clear();
-        const bool good = cells.Read(scanner, lines, this->Nodes, this->Request, this->Piece, part);
-        this->WarnOfMore(scanner, file);
-        return good;
+        return cells.Read(scanner, lines, this->Nodes, this->Request, this->Piece, part) &&
+          this->FindMore(scanner, file);
       }))
   {
     return false;
@@ -246,7 +244,7 @@ bool TetGenAssembly::ReadComplex(
   const MappedFile& file, bool isSmesh, const MappedFile& nodes, const Progress& progress)
 {
   const bool isOwn = &nodes == &file;
-  if (!this->ReadNodes(nodes, false, progress.Part(0, 0.3)))
+  if (!this->ReadNodes(nodes, !isOwn, progress.Part(0, 0.3)))
   {
     return false;
   }
@@ -267,14 +265,11 @@ bool TetGenAssembly::ReadComplex(
   if (!this->ReadFile(file, progress.Part(0.3, 0.6),
         [&](TextScanner& scanner, const TextLines* lines, const Progress& part)
         {
-          this->More.clear();
-          const bool good = skipNodes(scanner) &&
+          return skipNodes(scanner) &&
             (isFlat ? segments.Read(scanner, lines, this->Nodes, this->Request, this->Piece, part,
                         ErrorKind::Syntax)
                     : facets.Read(scanner, lines, this->Nodes, isSmesh, part)) &&
-            seeds.Read(scanner, this->Nodes.GetDimension());
-          this->WarnOfMore(scanner, file);
-          return good;
+            seeds.Read(scanner, this->Nodes.GetDimension()) && this->FindMore(scanner, file);
         }))
   {
     return false;

@@ -352,7 +352,8 @@ bool RowSequence::ForEach(const Progress& progress, Visit&& visit) const
  * The frame of a text reader: calls @a read(TextScanner&, const TextLines*, const Progress&), with
  * lines if the text has at least two chunks. If that fails, calls it again without lines, so the
  * result and the error messages do not depend on the layout of the lines; @a read must start from
- * scratch then. False with the reason in @a error, or without one if stopped.
+ * scratch then. False with the reason in @a error, which may be of another file that @a read read,
+ * or without one if stopped.
  */
 template <typename Read>
 bool ReadText(const MappedFile& file, char comment, vtkIdType chunk, ScanError& error,
@@ -370,9 +371,13 @@ bool ReadText(const MappedFile& file, char comment, vtkIdType chunk, ScanError& 
       return !progress.IsStopped();
     }
   }
+  error = ScanError(); // of the attempt
   const bool good =
     !progress.IsStopped() && read(scanner, static_cast<const TextLines*>(nullptr), progress);
-  error = progress.IsStopped() ? ScanError() : scanner.GetError();
+  if (progress.IsStopped() || scanner.HasFailed())
+  {
+    error = progress.IsStopped() ? ScanError() : scanner.GetError();
+  }
   return good && !error && !progress.IsStopped();
 }
 }

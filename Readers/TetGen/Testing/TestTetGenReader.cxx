@@ -206,6 +206,8 @@ TEST(TetGenReader, WarnsOfOddThings)
     { { "node", node }, { "ele", "1 4 0\n0 0 1 2 2\n" } }, "ele", "1 cell with repeated points");
   warning({ { "node", node }, { "ele", ele + "1 0 1 2 3\n" } }, "ele",
     "there is more data after the end of mesh.ele");
+  warning({ { "node", node + "4 1 1 1\n" }, { "ele", ele } }, "ele",
+    "there is more data after the end of mesh.node");
 }
 
 //------------------------------------------------------------------------------
@@ -264,6 +266,26 @@ TEST(TetGenReader, PiecesMakeTheWhole)
     const Result part = ReadWith<vtkTetGenReader>(real.GetPath("ele"), piece, 2);
     ASSERT_TRUE(part.Errors.empty());
     EXPECT_EQ(part.Grid->GetCellData()->GetArray("Region")->GetDataType(), VTK_DOUBLE);
+  }
+}
+
+//------------------------------------------------------------------------------
+// If this fails, an error in the nodes is lost when only pieces are read, and the mesh is empty.
+TEST(TetGenReader, PiecesFailLikeTheWhole)
+{
+  auto files = MakeStrip(60);
+  files["node"].replace(files["node"].find("0.300000"), 1, "x");
+  const Mesh mesh(files);
+  for (const std::string extension : { "ele", "neigh", "face", "edge", "poly", "smesh" })
+  {
+    const Result whole = mesh.Read(extension);
+    ASSERT_EQ(whole.Errors.size(), 1u) << extension;
+    for (const int piece : { 0, 1 })
+    {
+      const Result part = ReadWith<vtkTetGenReader>(mesh.GetPath(extension), piece, 2);
+      ASSERT_EQ(part.Errors.size(), 1u) << extension;
+      EXPECT_EQ(part.Errors, whole.Errors);
+    }
   }
 }
 
