@@ -278,13 +278,13 @@ TEST(TetGenReader, PiecesFailLikeTheWhole)
   const Mesh mesh(files);
   for (const std::string extension : { "ele", "neigh", "face", "edge", "poly", "smesh" })
   {
-    const Result whole = mesh.Read(extension);
-    ASSERT_EQ(whole.Errors.size(), 1u) << extension;
-    for (const int piece : { 0, 1 })
+    for (const int pieces : { 1, 2 })
     {
-      const Result part = ReadWith<vtkTetGenReader>(mesh.GetPath(extension), piece, 2);
+      const Result part = ReadWith<vtkTetGenReader>(mesh.GetPath(extension), pieces - 1, pieces);
       ASSERT_EQ(part.Errors.size(), 1u) << extension;
-      EXPECT_EQ(part.Errors, whole.Errors);
+      EXPECT_NE(
+        part.Errors[0].find("mesh.node:5: expected a coordinate of a node"), std::string::npos)
+        << part.Errors[0];
     }
   }
 }
