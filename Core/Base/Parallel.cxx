@@ -111,9 +111,10 @@ void ParallelFor(vtkIdType size, vtkIdType grain, FunctionRef<void(vtkIdType, vt
   WithThreads(
     [&]
     {
-      // VTK passes every range from one thread to another, which costs more than small ranges.
-      const vtkIdType threads = vtkSMPTools::GetEstimatedNumberOfThreads();
-      vtkSMPTools::For(0, size, grain > 0 ? std::max(grain, size / (32 * threads)) : 0,
+      // VTK passes every range from one thread to another, which may cost more than the range.
+      constexpr vtkIdType MostPerThread = 32;
+      const vtkIdType most = MostPerThread * vtkSMPTools::GetEstimatedNumberOfThreads();
+      vtkSMPTools::For(0, size, grain > 0 ? std::max(grain, size / most) : 0,
         [&](vtkIdType begin, vtkIdType end)
         {
           order.load(std::memory_order_acquire);

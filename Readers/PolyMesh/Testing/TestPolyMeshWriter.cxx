@@ -286,6 +286,35 @@ TEST(PolyMeshWriter, WritesZones)
 }
 
 //------------------------------------------------------------------------------
+// If this fails, an outlet becomes a wall, as some Fluent files number all faces as walls.
+TEST(PolyMeshWriter, NamedTypeOfZoneGoesBeforeItsNumber)
+{
+  const Grid grid = MakeGrid({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } },
+    { { VTK_TETRA, { 0, 1, 2, 3 } }, { VTK_TRIANGLE, { 0, 1, 2 } } });
+  AddArray(grid, "Zone", { 2, 5 });
+  AddArray(grid, "BoundaryType", { 0, 3 });
+  vtkNew<vtkIdTypeArray> ids;
+  ids->SetName("ZoneIds");
+  ids->InsertNextValue(5);
+  grid->GetFieldData()->AddArray(ids);
+  for (const auto& [array, text] :
+    { std::make_pair("ZoneNames", "out"), { "ZoneTypes", "pressure-outlet" } })
+  {
+    vtkNew<vtkStringArray> texts;
+    texts->SetName(array);
+    texts->InsertNextValue(text);
+    grid->GetFieldData()->AddArray(texts);
+  }
+  Case written;
+  ASSERT_TRUE(written.Write(grid));
+  EXPECT_NE(written.Read("boundary")
+              .find("    out\n    {\n        type            patch;\n"
+                    "        inGroups        1(pressure-outlet);\n"),
+    std::string::npos)
+    << written.Read("boundary");
+}
+
+//------------------------------------------------------------------------------
 // If this fails, an inlet becomes part of a wall because their zones have the same number.
 TEST(PolyMeshWriter, KeepsZonesOfOneIdApart)
 {
