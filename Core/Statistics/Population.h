@@ -20,12 +20,14 @@
 
 namespace camaron
 {
-/// Whether it is an integer below 2^53 in magnitude. Beyond, several integers are the same double:
-/// integer arrays that have such values are refused.
+/// From 2^53 on, several integers are the same double; integer arrays that have such values are
+/// refused.
+constexpr std::int64_t LeastInexactInteger = std::int64_t(1) << 53;
+
+/// Whether it is an integer below LeastInexactInteger in magnitude.
 inline bool IsExactInteger(double value)
 {
-  constexpr double limit = 9007199254740992; // 2^53
-  return std::abs(value) < limit && std::trunc(value) == value;
+  return std::abs(value) < static_cast<double>(LeastInexactInteger) && std::trunc(value) == value;
 }
 
 /// Values of consecutive elements of one array; all pointers are borrowed.

@@ -431,7 +431,7 @@ struct FindInexactInteger
   {
     const auto values = vtk::DataArrayValueRange(array);
     using Value = typename decltype(values)::ValueType;
-    constexpr auto limit = static_cast<Value>(9007199254740992); // 2^53
+    constexpr auto limit = static_cast<Value>(LeastInexactInteger);
     ParallelFor(values.size(), LightGrain,
       [&](vtkIdType begin, vtkIdType end)
       {
